@@ -1,0 +1,25 @@
+// The eigenvalues nearest to zero from below in the spectrum of an inverse: shift-invert Lanczos.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+namespace tencer::linalg {
+
+struct Eigenpairs {
+  Eigen::VectorXd values;   // ascending, k
+  Eigen::MatrixXd vectors;  // n x k, orthonormal columns
+  bool converged = false;
+};
+
+// The operator out = A^-1 in (symmetric, on vectors of length n); modes that must not count are
+// projected out by the operator itself.
+using InverseOperator = std::function<void(const double* in, double* out)>;
+
+// The `count` smallest eigenvalues of a positive semidefinite A, through the largest of A^-1
+// (Spectra, Lanczos with implicit restarts). n > count >= 1. converged is false when the iteration
+// limit was reached; values and vectors then hold what was found.
+Eigenpairs lowest_eigenpairs(const InverseOperator& inverse, int n, int count,
+                             double tolerance = 1e-8);
+
+}  // namespace tencer::linalg

@@ -1,0 +1,49 @@
+// Sparse L D L^T of a symmetric matrix, its inertia and its solves. The symbolic analysis is kept
+// while the pattern stays the same.
+#pragma once
+
+#include <tencer/linalg/symmetric_assembler.hpp>
+
+#include <memory>
+
+namespace tencer::linalg {
+
+struct Inertia {
+  int negative = 0;
+  int zero = 0;  // pivots not distinguishable from zero: the factorisation stopped there
+  int positive = 0;
+};
+
+class SymmetricFactor {
+ public:
+  SymmetricFactor();
+  ~SymmetricFactor();
+  SymmetricFactor(SymmetricFactor&&) noexcept;
+  SymmetricFactor& operator=(SymmetricFactor&&) noexcept;
+
+  // Factorises `matrix` (lower triangle) + shift * identity. Returns false when a pivot is zero or
+  // the matrix is not finite; then inertia().zero > 0 and solve must not be called.
+  bool factorise(const SymmetricMatrix& matrix, double shift = 0.0);
+
+  // Signs of D: by Sylvester's law the signs of the matrix's eigenvalues.
+  Inertia inertia() const;
+
+  // right_hand_sides: size x k. Requires a successful factorise.
+  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) const;
+  // The same for one right-hand side into `solution`, without allocating once warmed up.
+  void solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) const;
+
+  // A direction d with d^T A d < 0 (the pivot's value), from one back substitution with the column
+  // of the most negative pivot; empty when no pivot is negative.
+  Eigen::VectorXd negative_curvature() const;
+
+  // How often a matrix was analysed and factorised, for reports and benchmarks.
+  int analyses() const;
+  int factorisations() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace tencer::linalg

@@ -1,0 +1,38 @@
+#include <tencer/core/error.hpp>
+#include <tencer/linalg/lowest_eigenpairs.hpp>
+
+#include <Spectra/SymEigsSolver.h>
+
+#include <algorithm>
+
+namespace tencer::linalg {
+namespace {
+
+// Spectra's operator concept.
+struct Operator {
+  using Scalar = double;
+  const InverseOperator& apply;
+  Eigen::Index n;
+  Eigen::Index rows() const { return n; }
+  Eigen::Index cols() const { return n; }
+  void perform_op(const double* in, double* out) const { apply(in, out); }
+};
+
+}  // namespace
+
+Eigenpairs lowest_eigenpairs(const InverseOperator& inverse, int n, int count, double tolerance) {
+  core::require(count >= 1 && count < n, "lowest_eigenpairs: needs 1 <= count < n");
+  Operator op{inverse, n};
+  const int subspace = std::min(n, std::max(2 * count + 1, 20));
+  Spectra::SymEigsSolver<Operator> solver(op, count, subspace);
+  solver.init();
+  solver.compute(Spectra::SortRule::LargestAlge, 1000, tolerance, Spectra::SortRule::LargestAlge);
+  const Eigen::VectorXd inverse_values = solver.eigenvalues();
+  Eigenpairs pairs;
+  pairs.converged = solver.info() == Spectra::CompInfo::Successful;
+  pairs.values = inverse_values.cwiseInverse();
+  pairs.vectors = solver.eigenvectors();
+  return pairs;
+}
+
+}  // namespace tencer::linalg
