@@ -1,10 +1,18 @@
 # Declares the library's modules: one folder, one target, one include root each.
 #
-#   tencer_module(NAME [DEPENDS MODULE...] [PACKAGES TARGET...])
+#   tencer_module(NAME [DEPENDS MODULE...] [OPTIONAL MODULE...] [PACKAGES TARGET...])
 #
-# in modules/NAME/CMakeLists.txt builds src/*.cpp into the target tencer::NAME with the
-# public headers include/tencer/NAME/*.hpp. DEPENDS names the modules it may use, all
-# declared earlier; PACKAGES names third-party targets its sources (not its headers) use.
+# is all that modules/NAME/CMakeLists.txt holds. The target tencer::NAME is built from src/*.cpp
+# and has the public headers include/tencer/NAME/*.hpp.
+#   DEPENDS   modules it uses, all declared before it in modules/CMakeLists.txt;
+#   OPTIONAL  modules it uses when they are part of the build; its sources then see the macro
+#             TENCER_WITH_MODULE (in capitals) defined;
+#   PACKAGES  third-party targets PACKAGE::TARGET that its sources (never its public headers) use,
+#             found with find_package(PACKAGE).
+#
+# A declaration only records. tencer_add_modules() makes the targets once all are known, for it
+# is then that the modules asked for (TENCER_MODULES) and what these depend on can be told from
+# the rest, whose packages need not be installed.
 include_guard(GLOBAL)
 
 add_library(tencer_warnings INTERFACE)
@@ -12,39 +20,131 @@ target_compile_options(tencer_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
   $<$<BOOL:${TENCER_WERROR}>:-Werror>)
 
+# Global properties: TENCER_DECLARED and TENCER_MODULES list the modules declared and built, in
+# layer order; TENCER_<NAME>_<DEPENDS|OPTIONAL|PACKAGES|SOURCE_DIR> hold a module's declaration.
 function(tencer_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;PACKAGES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;OPTIONAL;PACKAGES")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "tencer_module(${name}): unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
+  get_property(declared GLOBAL PROPERTY TENCER_DECLARED)
   foreach(dependency IN LISTS arg_DEPENDS)
-    if(NOT TARGET tencer_${dependency})
+    if(NOT dependency IN_LIST declared)
       message(FATAL_ERROR
         "module ${name} depends on ${dependency}, which is not declared before it in modules/CMakeLists.txt")
     endif()
   endforeach()
+  foreach(target IN LISTS arg_PACKAGES)
+    if(NOT target MATCHES "^.+::.+$")
+      message(FATAL_ERROR "tencer_module(${name}): PACKAGES wants PACKAGE::TARGET, not ${target}")
+    endif()
+  endforeach()
+  # A module left out of the build by an option is not declared at all.
+  foreach(dependency IN LISTS arg_OPTIONAL)
+    if(NOT EXISTS "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../modules/${dependency}")
+      message(FATAL_ERROR "module ${name} names ${dependency}, but there is no modules/${dependency}")
+    elseif(NOT dependency IN_LIST declared)
+      list(REMOVE_ITEM arg_OPTIONAL ${dependency})
+    endif()
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY TENCER_DECLARED ${name})
+  foreach(part DEPENDS OPTIONAL PACKAGES)
+    set_property(GLOBAL PROPERTY TENCER_${name}_${part} "${arg_${part}}")
+  endforeach()
+  set_property(GLOBAL PROPERTY TENCER_${name}_SOURCE_DIR "${CMAKE_CURRENT_SOURCE_DIR}")
+endfunction()
 
-  file(GLOB sources CONFIGURE_DEPENDS src/*.cpp)
-  file(GLOB headers CONFIGURE_DEPENDS include/tencer/${name}/*.hpp)
+# The targets of the modules in TENCER_MODULES and of all they depend on.
+function(tencer_add_modules)
+  get_property(declared GLOBAL PROPERTY TENCER_DECLARED)
+  set(wanted ${TENCER_MODULES})
+  if(NOT wanted)
+    set(wanted ${declared})
+  endif()
+  foreach(name IN LISTS wanted)
+    if(NOT name IN_LIST declared)
+      list(JOIN declared " " known)
+      message(FATAL_ERROR "TENCER_MODULES names '${name}', but the modules are: ${known}")
+    endif()
+  endforeach()
+  # From the top layer down, each module adds what it depends on.
+  set(top_down ${declared})
+  list(REVERSE top_down)
+  foreach(name IN LISTS top_down)
+    if(name IN_LIST wanted)
+      get_property(depends GLOBAL PROPERTY TENCER_${name}_DEPENDS)
+      list(APPEND wanted ${depends})
+    endif()
+  endforeach()
+  foreach(name IN LISTS declared)
+    if(name IN_LIST wanted)
+      tencer_add_module(${name})
+    endif()
+  endforeach()
+endfunction()
+
+function(tencer_add_module name)
+  foreach(part DEPENDS OPTIONAL PACKAGES SOURCE_DIR)
+    get_property(${part} GLOBAL PROPERTY TENCER_${name}_${part})
+  endforeach()
+
+  file(GLOB sources CONFIGURE_DEPENDS ${SOURCE_DIR}/src/*.cpp)
+  file(GLOB headers CONFIGURE_DEPENDS ${SOURCE_DIR}/include/tencer/${name}/*.hpp)
   add_library(tencer_${name} STATIC ${sources})
   add_library(tencer::${name} ALIAS tencer_${name})
   target_sources(tencer_${name} PUBLIC
-    FILE_SET HEADERS BASE_DIRS include FILES ${headers})
+    FILE_SET HEADERS BASE_DIRS ${SOURCE_DIR}/include FILES ${headers})
   target_compile_features(tencer_${name} PUBLIC cxx_std_20)
   set_target_properties(tencer_${name} PROPERTIES
     EXPORT_NAME ${name}
     POSITION_INDEPENDENT_CODE ON
-    VERIFY_INTERFACE_HEADER_SETS ON
-    TENCER_DEPENDS "${arg_DEPENDS}")
-  target_link_libraries(tencer_${name} PUBLIC Eigen3::Eigen)
-  foreach(dependency IN LISTS arg_DEPENDS)
+    VERIFY_INTERFACE_HEADER_SETS ${PROJECT_IS_TOP_LEVEL})
+  target_link_libraries(tencer_${name}
+    PUBLIC Eigen3::Eigen
+    PRIVATE $<BUILD_INTERFACE:tencer_warnings>)
+  foreach(dependency IN LISTS DEPENDS)
     target_link_libraries(tencer_${name} PUBLIC tencer::${dependency})
   endforeach()
-  target_link_libraries(tencer_${name} PRIVATE ${arg_PACKAGES} $<BUILD_INTERFACE:tencer_warnings>)
+  foreach(dependency IN LISTS OPTIONAL)
+    if(TARGET tencer_${dependency})
+      string(TOUPPER ${dependency} macro)
+      target_link_libraries(tencer_${name} PUBLIC tencer::${dependency})
+      target_compile_definitions(tencer_${name} PRIVATE TENCER_WITH_${macro})
+    endif()
+  endforeach()
+  foreach(target IN LISTS PACKAGES)
+    string(REGEX REPLACE "::.*" "" package ${target})
+    find_package(${package} REQUIRED)
+    target_link_libraries(tencer_${name} PRIVATE ${target})
+  endforeach()
   set_property(GLOBAL APPEND PROPERTY TENCER_MODULES ${name})
 endfunction()
 
-# tencer_test(NAME): tests/NAME/*.cpp as one Catch2 program that links the module NAME.
+# Writes `file`, which sets for the modules in `list` (the name of a global property) what other
+# tools need to know of the declarations: tencer_modules, and for each tencer_<NAME>_DEPENDS (with
+# the optional ones that are there) and tencer_<NAME>_PACKAGES (package names).
+function(tencer_write_manifest list file)
+  get_property(modules GLOBAL PROPERTY ${list})
+  set(text "set(tencer_modules ${modules})\n")
+  foreach(name IN LISTS modules)
+    get_property(depends GLOBAL PROPERTY TENCER_${name}_DEPENDS)
+    get_property(optional GLOBAL PROPERTY TENCER_${name}_OPTIONAL)
+    get_property(packages GLOBAL PROPERTY TENCER_${name}_PACKAGES)
+    foreach(dependency IN LISTS optional)
+      if(dependency IN_LIST modules)
+        list(APPEND depends ${dependency})
+      endif()
+    endforeach()
+    list(TRANSFORM packages REPLACE "::.*" "")
+    list(REMOVE_DUPLICATES packages)
+    string(APPEND text "set(tencer_${name}_DEPENDS ${depends})\n"
+                       "set(tencer_${name}_PACKAGES ${packages})\n")
+  endforeach()
+  string(REPLACE ";" " " text "${text}")
+  file(CONFIGURE OUTPUT "${file}" CONTENT "${text}" @ONLY)
+endfunction()
+
+# tencer_test(NAME [TARGET...]): tests/NAME/*.cpp as one Catch2 program that links module NAME.
 function(tencer_test name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   if(NOT sources)

@@ -1,0 +1,26 @@
+# The install rules: libraries, headers, and a CMake package whose components are the modules.
+# Each module is an export set of its own, so that a consumer loads only the components asked for
+# and finds only the third-party packages these need.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/tencer)
+
+get_property(modules GLOBAL PROPERTY TENCER_MODULES)
+foreach(name IN LISTS modules)
+  install(TARGETS tencer_${name} EXPORT tencer_${name}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT tencer_${name} NAMESPACE tencer:: DESTINATION ${package_dir}
+    FILE tencer-${name}.cmake)
+endforeach()
+
+tencer_write_manifest(TENCER_MODULES ${PROJECT_BINARY_DIR}/package/tencer-modules.cmake)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/tencerConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+file(GLOB find_modules CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/Find*.cmake)
+install(FILES
+  ${CMAKE_CURRENT_LIST_DIR}/tencerConfig.cmake
+  ${PROJECT_BINARY_DIR}/package/tencerConfigVersion.cmake
+  ${PROJECT_BINARY_DIR}/package/tencer-modules.cmake
+  DESTINATION ${package_dir})
+install(FILES ${find_modules} DESTINATION ${package_dir}/find)
