@@ -1,8 +1,7 @@
-#include <tencer/core/error.hpp>
-#include <tencer/geometry/arc_length.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <tencer/core/error.hpp>
+#include <tencer/geometry/arc_length.hpp>
 
 namespace tencer::geometry {
 
@@ -18,10 +17,10 @@ double ArcLength::wrap(double s) const {
   core::require(std::isfinite(s), "ArcLength::wrap: needs a finite arc length");
   if (!closed_) return std::clamp(s, 0.0, length());
   // fmod is exact; the only rounding is in the shift of a negative remainder, which can land on
-  // length() itself when the remainder is tiny: that point is the seam.
+  // length() itself when the remainder is tiny: that point is the seam, and so is -0.
   double r = std::fmod(s, length());
   if (r < 0.0) r += length();
-  return r < length() ? r : 0.0;
+  return r > 0.0 && r < length() ? r : 0.0;
 }
 
 Location ArcLength::locate(double s, Side side) const {

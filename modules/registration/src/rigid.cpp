@@ -1,9 +1,48 @@
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
 #include <tencer/core/error.hpp>
 #include <tencer/registration/rigid.hpp>
 
-#include <Eigen/SVD>
-
 namespace tencer::registration {
+namespace {
+
+// Relative size below which a spread or a singular value is rounding: the covariance of n points
+// carries about eps sqrt(n), and a thousand points are common.
+constexpr double rounding = 1e-13;
+
+// A right-handed frame of the unit vector u and what is left of n across it.
+Eigen::Matrix3d frame(const Eigen::Vector3d& u, const Eigen::Vector3d& n) {
+  Eigen::Matrix3d result;
+  result.col(0) = u;
+  result.col(1) = (n - n.dot(u) * u).normalized();
+  result.col(2) = u.cross(result.col(1));
+  return result;
+}
+
+// The smallest rotation that takes the unit vector u to v, accurate also for opposite vectors,
+// where the usual quaternion formula loses half its digits.
+Eigen::Matrix3d smallest_rotation(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
+  const Eigen::Vector3d cross = u.cross(v);
+  const Eigen::Vector3d axis =
+      cross.norm() > 1e-8 ? cross.normalized() : Eigen::Vector3d(u.unitOrthogonal());
+  return frame(v, axis) * frame(u, axis).transpose();
+}
+
+Eigen::Matrix3d best_rotation(const Eigen::Matrix3d& covariance, double size) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Vector3d& sigma = svd.singularValues();
+  const Eigen::Matrix3d& u = svd.matrixU();
+  const Eigen::Matrix3d& v = svd.matrixV();
+  if (sigma[0] <= rounding * size) return Eigen::Matrix3d::Identity();
+  // One direction only: any turn about it is as good, so none is made.
+  if (sigma[1] <= rounding * size) return smallest_rotation(u.col(0), v.col(0));
+  Eigen::Vector3d signs = Eigen::Vector3d::Ones();
+  signs[2] = (v * u.transpose()).determinant() < 0 ? -1.0 : 1.0;
+  return v * signs.asDiagonal() * u.transpose();
+}
+
+}  // namespace
 
 RigidMotion align(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
                   const Eigen::VectorXd& weights) {
@@ -13,13 +52,15 @@ RigidMotion align(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
                 "align: needs nonnegative weights, not all zero");
   const Eigen::Vector3d from_centre = from * weights / weights.sum();
   const Eigen::Vector3d to_centre = to * weights / weights.sum();
-  const Eigen::Matrix3d covariance = (from.colwise() - from_centre) * weights.asDiagonal() *
-                                     (to.colwise() - to_centre).transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Vector3d signs = Eigen::Vector3d::Ones();
-  signs[2] = (svd.matrixV() * svd.matrixU().transpose()).determinant() < 0 ? -1.0 : 1.0;
+  const Eigen::Matrix3Xd a = from.colwise() - from_centre;
+  const Eigen::Matrix3Xd b = to.colwise() - to_centre;
+  // What rounding leaves of coincident points far from the origin must not pass for a direction, so
+  // the distance to the origin enters each set's size.
+  const Eigen::VectorXd root = weights.cwiseSqrt();
+  const double size = (from * root.asDiagonal()).norm() * (b * root.asDiagonal()).norm() +
+                      (a * root.asDiagonal()).norm() * (to * root.asDiagonal()).norm();
   RigidMotion motion;
-  motion.rotation = svd.matrixV() * signs.asDiagonal() * svd.matrixU().transpose();
+  motion.rotation = best_rotation(a * weights.asDiagonal() * b.transpose(), size);
   motion.translation = to_centre - motion.rotation * from_centre;
   return motion;
 }

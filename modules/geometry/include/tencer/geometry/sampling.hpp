@@ -1,0 +1,33 @@
+// Points along a polyline by arc length, and polylines from smooth curves.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <tencer/geometry/arc_length.hpp>
+#include <tencer/geometry/polyline.hpp>
+
+namespace tencer::geometry {
+
+// The arc-length positions of a polyline's own vertices. All edges need a positive length.
+ArcLength arc_length(const Polyline& curve);
+
+// The point at arc length s, wrapped (closed) or clamped (open). `arc` belongs to the same curve,
+// at rest or as it is: the point divides its edge in the same proportion (paper eq. 2).
+Eigen::Vector3d point_at(const Polyline& curve, const ArcLength& arc, double s);
+
+// n points at equal distances along the polyline, the first at vertex 0; n >= 3 for a closed
+// polyline, n >= 2 for an open one, which keeps its two ends.
+Polyline resample(const Polyline& curve, int n);
+
+// A smooth curve by its parameter.
+using Curve = std::function<Eigen::Vector3d(double)>;
+
+// Arc length of a smooth curve over a parameter interval, to about 1e-10 relative for the built-in
+// families.
+double length(const Curve& curve, double from, double to);
+
+// n points on the smooth curve at equal arc length, the first at parameter `from`. Closed: `to` is
+// one period later and not repeated, n >= 3; open: the last point is at `to`, n >= 2.
+Polyline sample(const Curve& curve, double from, double to, int n, bool closed);
+
+}  // namespace tencer::geometry
