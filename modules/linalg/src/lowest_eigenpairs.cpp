@@ -1,9 +1,8 @@
-#include <tencer/core/error.hpp>
-#include <tencer/linalg/lowest_eigenpairs.hpp>
-
 #include <Spectra/SymEigsSolver.h>
 
 #include <algorithm>
+#include <tencer/core/error.hpp>
+#include <tencer/linalg/lowest_eigenpairs.hpp>
 
 namespace tencer::linalg {
 namespace {

@@ -1,6 +1,5 @@
-#include <tencer/linalg/symmetric_assembler.hpp>
-
 #include <algorithm>
+#include <tencer/linalg/symmetric_assembler.hpp>
 
 namespace tencer::linalg {
 

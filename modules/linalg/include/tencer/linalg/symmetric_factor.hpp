@@ -1,16 +1,15 @@
-// Sparse L D L^T of a symmetric matrix, its inertia and its solves. The symbolic analysis is kept
-// while the pattern stays the same.
+// L D L^T of a sparse symmetric matrix, its inertia and its solves. The symbolic analysis is kept
+// while the pattern stays the same; a pattern that would fill up is factorised densely.
 #pragma once
 
-#include <tencer/linalg/symmetric_assembler.hpp>
-
 #include <memory>
+#include <tencer/linalg/symmetric_assembler.hpp>
 
 namespace tencer::linalg {
 
 struct Inertia {
   int negative = 0;
-  int zero = 0;  // pivots not distinguishable from zero: the factorisation stopped there
+  int zero = 0;  // 1 when the factorisation met a pivot not distinguishable from zero
   int positive = 0;
 };
 
@@ -21,8 +20,8 @@ class SymmetricFactor {
   SymmetricFactor(SymmetricFactor&&) noexcept;
   SymmetricFactor& operator=(SymmetricFactor&&) noexcept;
 
-  // Factorises `matrix` (lower triangle) + shift * identity. Returns false when a pivot is zero or
-  // the matrix is not finite; then inertia().zero > 0 and solve must not be called.
+  // Factorises `matrix` (lower triangle) + shift * identity. Returns false when a pivot is lost
+  // in rounding or the matrix is not finite; then inertia().zero > 0 and solve must not be called.
   bool factorise(const SymmetricMatrix& matrix, double shift = 0.0);
 
   // Signs of D: by Sylvester's law the signs of the matrix's eigenvalues.

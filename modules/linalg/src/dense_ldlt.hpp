@@ -1,0 +1,35 @@
+// Dense factorisation for matrices that fill up anyway: L D L^T with diagonal pivoting, and an
+// eigen-decomposition for the few indefinite matrices on which that is not accurate.
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <tencer/linalg/symmetric_factor.hpp>
+#include <variant>
+
+namespace tencer::linalg {
+
+class DenseLdlt {
+ public:
+  // Multiplications and additions a factorisation of that many unknowns takes.
+  static double operations(Eigen::Index size) {
+    const auto n = static_cast<double>(size);
+    return n * n * n / 3.0;
+  }
+
+  // matrix + shift * identity. False when a pivot or an eigenvalue is lost in rounding.
+  bool factorise(const SymmetricMatrix& matrix, double shift);
+  Inertia inertia() const;
+  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) const;
+  Eigen::VectorXd negative_curvature() const;
+
+ private:
+  using Pivoted = Eigen::LDLT<Eigen::MatrixXd>;
+  using Spectral = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
+
+  Eigen::VectorXd signed_values() const;  // D or the eigenvalues
+
+  std::variant<Pivoted, Spectral> factor_;
+};
+
+}  // namespace tencer::linalg

@@ -1,0 +1,43 @@
+// Simplicial sparse L D L^T through CHOLMOD, without pivoting for stability: what a banded matrix
+// with a few couplings wants.
+#pragma once
+
+#include <cholmod.h>
+
+#include <tencer/linalg/symmetric_factor.hpp>
+
+namespace tencer::linalg {
+
+// One cholmod_common each: it is neither shareable between threads nor copyable.
+class SparseLdlt {
+ public:
+  SparseLdlt();
+  ~SparseLdlt();
+  SparseLdlt(const SparseLdlt&) = delete;
+  SparseLdlt& operator=(const SparseLdlt&) = delete;
+
+  // The ordering and the pattern of L. False when there was no memory for them.
+  bool analyse(const SymmetricMatrix& matrix);
+  // Multiplications and additions a factorisation with the analysed pattern takes.
+  double operations() const { return common_.fl; }
+
+  // matrix + shift * identity, with the analysed pattern. False when a pivot is lost in rounding.
+  bool factorise(const SymmetricMatrix& matrix, double shift);
+  Inertia inertia() const;
+  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides);
+  void solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution);
+  Eigen::VectorXd negative_curvature();
+
+ private:
+  int size() const { return static_cast<int>(factor_->n); }
+  double pivot(int j) const;
+  bool pivots_are_significant() const;
+
+  cholmod_common common_{};
+  cholmod_factor* factor_ = nullptr;
+  cholmod_dense* solution_ = nullptr;     // kept between solves
+  cholmod_dense* workspace_y_ = nullptr;  // the same
+  cholmod_dense* workspace_e_ = nullptr;
+};
+
+}  // namespace tencer::linalg
