@@ -1,0 +1,32 @@
+// The motions that leave a structure's energy as it is: rigid motions of each group of rods that
+// its supports allow.
+#pragma once
+
+#include <Eigen/Core>
+#include <tencer/equilibrium/system.hpp>
+#include <vector>
+
+namespace tencer::equilibrium {
+
+// Per group of rods: basis is size x r, orthonormal, r <= 6 the group's free rigid motions (3 in
+// the plane, 5 for one straight rod, fewer with pins and anchors). anchoring is k x r, an
+// orthonormal basis of the same motions restricted to the system's anchoring unknowns.
+//
+// H + mu Q Q^T, Q = anchoring, is regular where H is singular on rigid motions only, and exact: at
+// an equilibrium its solves differ from the pseudo-inverse by rigid motions alone, and its inertia
+// is that of H on the other motions plus r positive ones.
+struct RigidModes {
+  Eigen::MatrixXd basis;
+  Eigen::MatrixXd anchoring;
+};
+
+std::vector<RigidModes> rigid_modes(const System& system, const State& state);
+
+// Adds mu Q Q^T for every group; mu is the mean diagonal entry, so conditioning does not suffer.
+void anchor(const System& system, const std::vector<RigidModes>& modes,
+            linalg::SymmetricMatrix& matrix);
+
+// v less its rigid part (orthogonal projection), in place.
+void remove_rigid(const std::vector<RigidModes>& modes, Eigen::Ref<Eigen::VectorXd> v);
+
+}  // namespace tencer::equilibrium

@@ -1,0 +1,85 @@
+// A structure's energy and derivatives as functions of its free unknowns.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <tencer/equilibrium/structure.hpp>
+#include <tencer/linalg/symmetric_assembler.hpp>
+#include <vector>
+
+namespace tencer::equilibrium {
+
+// The forces along edges and cables; tension positive.
+struct InternalForces {
+  std::vector<Eigen::VectorXd> axial{};  // per rod, per edge
+  Eigen::VectorXd tension{};             // per cable
+};
+
+// Which unknowns are free and how the Hessian is laid out, worked out once for a structure. The
+// free unknowns are the rods' own (der::unknowns) in order, less pinned coordinates, z of a planar
+// structure and clamped frames.
+class System {
+ public:
+  // Validates the structure. Attachments exactly at a vertex belong to the edge on `side`.
+  explicit System(Structure structure, geometry::Side side = geometry::Side::after);
+
+  const Structure& structure() const { return structure_; }
+  const std::vector<springs::Stencil>& stencils() const { return stencils_; }
+  const std::vector<geometry::ArcLength>& arc_lengths() const { return arc_lengths_; }
+  int size() const { return size_; }
+
+  // Replaces the cables. The Hessian's pattern is worked out again only when an attachment moved to
+  // another edge or the number of cables changed.
+  void set_cables(std::vector<springs::Cable> cables);
+
+  // Free index of a rod's own unknown, -1 when it is held.
+  int index(int rod, int unknown) const { return index_[rod][unknown]; }
+  int position_index(int rod, int vertex, int axis) const { return index(rod, 3 * vertex + axis); }
+
+  // Unknowns that are stationary maxima by construction (twisting moments of uniform rods): so many
+  // negative pivots belong to a stable state.
+  int saddle_unknowns() const { return saddle_unknowns_; }
+
+  double energy(const State& state) const;
+  Eigen::VectorXd gradient(const State& state) const;
+  // Its two parts.
+  Eigen::VectorXd rod_gradient(const State& state) const;
+  void add_cable_gradient(const State& state, Eigen::VectorXd& gradient) const;
+
+  // Writes the Hessian into `matrix` (a copy of pattern()). `forces`: those in the geometric
+  // stiffness, see der::hessian; internal_forces(state) gives the Hessian itself. The
+  // rank-deficient directions of rigid motion are left as they are.
+  const linalg::SymmetricMatrix& pattern() const { return assembler_->pattern(); }
+  void hessian(const State& state, const InternalForces& forces,
+               linalg::SymmetricMatrix& matrix) const;
+  InternalForces internal_forces(const State& state) const;
+
+  // Adds a symmetric matrix over anchoring_unknowns()[group] (k x k), see rigid_modes.hpp.
+  void add_anchoring(int group, const Eigen::MatrixXd& anchoring,
+                     linalg::SymmetricMatrix& matrix) const;
+  // Per group of rods, the free position unknowns of four vertices spread along its longest rod.
+  const std::vector<std::vector<int>>& anchoring_unknowns() const { return anchoring_unknowns_; }
+  // Group of each rod, see groups().
+  const std::vector<int>& group_of_rod() const { return group_of_rod_; }
+
+  // The state after a step of the free unknowns (size() entries).
+  State displaced(const State& state, const Eigen::VectorXd& step) const;
+  void displace(State& state, const Eigen::VectorXd& step) const;
+
+ private:
+  void lay_out();
+
+  Structure structure_;
+  geometry::Side side_;
+  std::vector<geometry::ArcLength> arc_lengths_;
+  std::vector<springs::Stencil> stencils_;
+  std::vector<std::vector<int>> index_;
+  std::vector<std::vector<int>> rod_elements_;  // in free unknowns, rod after rod
+  std::vector<int> group_of_rod_;
+  std::vector<std::vector<int>> anchoring_unknowns_;
+  std::unique_ptr<linalg::SymmetricAssembler> assembler_;
+  int size_ = 0;
+  int saddle_unknowns_ = 0;
+};
+
+}  // namespace tencer::equilibrium

@@ -1,0 +1,151 @@
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <tencer/der/energy.hpp>
+#include <tencer/equilibrium/rigid_modes.hpp>
+
+namespace tencer::equilibrium {
+namespace {
+
+// A rigid motion is (v, w): p moves by v + w x (p - centre) / radius. Both parts are lengths.
+struct Frame {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double radius = 1.0;
+
+  Eigen::Matrix<double, 3, 6> velocity(const Eigen::Vector3d& p) const {
+    const Eigen::Vector3d arm = (p - centre) / radius;
+    Eigen::Matrix<double, 3, 6> rows;
+    rows.leftCols<3>().setIdentity();
+    rows.rightCols<3>() << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;
+    return rows;
+  }
+  // Rate at which a material frame with tangent t turns about t.
+  Eigen::Matrix<double, 1, 6> spin(const Eigen::Vector3d& t) const {
+    Eigen::Matrix<double, 1, 6> row = Eigen::Matrix<double, 1, 6>::Zero();
+    row.tail<3>() = t.transpose() / radius;
+    return row;
+  }
+};
+
+Frame frame_of(const System& system, const State& state, int group) {
+  Frame frame;
+  int count = 0;
+  for (std::size_t r = 0; r < state.size(); ++r)
+    if (system.group_of_rod()[r] == group) {
+      frame.centre += state[r].x.rowwise().sum();
+      count += static_cast<int>(state[r].x.cols());
+    }
+  frame.centre /= count;
+  double squared = 0;
+  for (std::size_t r = 0; r < state.size(); ++r)
+    if (system.group_of_rod()[r] == group)
+      squared += (state[r].x.colwise() - frame.centre).squaredNorm();
+  frame.radius = std::sqrt(squared / count);
+  return frame;
+}
+
+// Columns: an orthonormal basis of {m : rows m = 0}, up to a relative tolerance.
+Eigen::MatrixXd null_space(const Eigen::MatrixXd& rows) {
+  constexpr double tolerance = 1e-9;
+  if (rows.rows() == 0) return Eigen::MatrixXd::Identity(6, 6);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
+  const auto& values = svd.singularValues();
+  int rank = 0;
+  while (rank < values.size() && values[rank] > tolerance * values[0]) ++rank;
+  return svd.matrixV().rightCols(6 - rank);
+}
+
+// The rigid motions that the supports of a group allow, 6 x k.
+Eigen::MatrixXd allowed_motions(const System& system, const State& state, int group,
+                                const Frame& frame) {
+  const Structure& structure = system.structure();
+  std::vector<Eigen::Matrix<double, 1, 6>> rows;
+  const auto in_group = [&](int rod) { return system.group_of_rod()[rod] == group; };
+  for (const Pin& pin : structure.pins)
+    if (in_group(pin.rod))
+      for (int axis = 0; axis < 3; ++axis)
+        if (pin.axes[axis])
+          rows.push_back(frame.velocity(state[pin.rod].x.col(pin.vertex)).row(axis));
+  for (const auto& cable : structure.cables) {
+    const auto* a = std::get_if<springs::AtAnchor>(&cable.a);
+    const auto* b = std::get_if<springs::AtAnchor>(&cable.b);
+    if (!a && !b) continue;
+    const int rod = std::get<springs::OnRod>(a ? cable.b : cable.a).rod;
+    if (!in_group(rod)) continue;
+    const auto velocity = frame.velocity(structure.anchors.col(a ? a->anchor : b->anchor));
+    for (int axis = 0; axis < 3; ++axis) rows.push_back(velocity.row(axis));
+  }
+  for (std::size_t r = 0; r < state.size(); ++r) {
+    const auto& rod = structure.rods[r];
+    if (!in_group(static_cast<int>(r)) || state[r].theta.size() == 0) continue;
+    if (rod.clamp_start_frame) rows.push_back(frame.spin(state[r].frames.tangent.col(0)));
+    if (rod.clamp_end_frame)
+      rows.push_back(frame.spin(state[r].frames.tangent.col(rod.edges() - 1)));
+  }
+  if (structure.planar)
+    for (int held : {2, 3, 4}) rows.push_back(Eigen::Matrix<double, 1, 6>::Unit(held));
+  Eigen::MatrixXd stacked(static_cast<Eigen::Index>(rows.size()), 6);
+  for (std::size_t i = 0; i < rows.size(); ++i) stacked.row(static_cast<Eigen::Index>(i)) = rows[i];
+  return null_space(stacked);
+}
+
+// The displacement of every free unknown of the group under the motions (6 x k).
+Eigen::MatrixXd displacements(const System& system, const State& state, int group,
+                              const Frame& frame, const Eigen::MatrixXd& motions) {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(system.size(), motions.cols());
+  for (int r = 0; r < static_cast<int>(state.size()); ++r) {
+    if (system.group_of_rod()[r] != group) continue;
+    const auto& rod_state = state[r];
+    for (int v = 0; v < rod_state.x.cols(); ++v) {
+      const Eigen::MatrixXd moved = frame.velocity(rod_state.x.col(v)) * motions;
+      for (int axis = 0; axis < 3; ++axis)
+        if (const int at = system.position_index(r, v, axis); at >= 0)
+          result.row(at) = moved.row(axis);
+    }
+    const int theta = 3 * static_cast<int>(rod_state.x.cols());
+    for (int j = 0; j < rod_state.theta.size(); ++j)
+      if (const int at = system.index(r, theta + j); at >= 0)
+        result.row(at) = frame.spin(rod_state.frames.tangent.col(j)) * motions;
+  }
+  return result;
+}
+
+// An orthonormal basis of the columns, dropping directions below a relative tolerance (a straight
+// rod does not move when it turns about itself).
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
+  constexpr double tolerance = 1e-7;
+  if (columns.cols() == 0 || columns.rows() == 0) return Eigen::MatrixXd(columns.rows(), 0);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+  qr.setThreshold(tolerance);
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+}
+
+}  // namespace
+
+std::vector<RigidModes> rigid_modes(const System& system, const State& state) {
+  std::vector<RigidModes> modes;
+  for (std::size_t group = 0; group < system.anchoring_unknowns().size(); ++group) {
+    const int g = static_cast<int>(group);
+    const Frame frame = frame_of(system, state, g);
+    const Eigen::MatrixXd moved =
+        displacements(system, state, g, frame, allowed_motions(system, state, g, frame));
+    RigidModes& mode = modes.emplace_back();
+    mode.basis = orthonormal(moved);
+    const auto& unknowns = system.anchoring_unknowns()[group];
+    mode.anchoring = orthonormal(mode.basis(unknowns, Eigen::all));
+  }
+  return modes;
+}
+
+void anchor(const System& system, const std::vector<RigidModes>& modes,
+            linalg::SymmetricMatrix& matrix) {
+  const double mu = matrix.diagonal().cwiseAbs().mean();
+  for (std::size_t g = 0; g < modes.size(); ++g)
+    system.add_anchoring(static_cast<int>(g),
+                         mu * modes[g].anchoring * modes[g].anchoring.transpose(), matrix);
+}
+
+void remove_rigid(const std::vector<RigidModes>& modes, Eigen::Ref<Eigen::VectorXd> v) {
+  for (const auto& mode : modes) v -= mode.basis * (mode.basis.transpose() * v);
+}
+
+}  // namespace tencer::equilibrium

@@ -1,0 +1,245 @@
+#include <algorithm>
+#include <cmath>
+#include <tencer/equilibrium/solve.hpp>
+#include <utility>
+
+#include "forces.hpp"
+
+namespace tencer::equilibrium {
+namespace {
+
+void check(const System& system, Linearisation& at, bool regular) {
+  at.regular = regular;
+  at.negative = regular ? at.factor.inertia().negative - system.saddle_unknowns() : 0;
+}
+
+// Fills at.matrix with the Hessian, with these forces in its geometric part, and anchors it.
+void fill(const System& system, const State& state, const InternalForces& forces,
+          Linearisation& at) {
+  if (at.matrix.rows() != system.size() || at.matrix.nonZeros() != system.pattern().nonZeros())
+    at.matrix = system.pattern();
+  system.hessian(state, forces, at.matrix);
+  anchor(system, at.rigid, at.matrix);
+}
+
+class Newton {
+ public:
+  Newton(const System& system, const SolveOptions& options, Linearisation& at, Equilibrium& result)
+      : system_(system), options_(options), at_(at), result_(result) {}
+
+  void run(State start);
+
+ private:
+  struct Point {
+    State state;
+    double energy = 0.0;
+    double residual = 0.0;
+    Eigen::VectorXd gradient{};
+    InternalForces forces{};  // for the geometric stiffness: predicted by the step that led here
+  };
+
+  Point evaluate(State state);
+  Point step_from(const Point& from, const Eigen::VectorXd& step);
+  void factorise_positive(const Point& at);
+  bool line_search(const Point& from, const Eigen::VectorXd& step, double slope, Point& result);
+  bool escape(Point& point);
+  void finish(Point&& point, Reason reason);
+  // Whether the residual can be expected to fall no further.
+  bool at_rounding(const Point& point) const {
+    return point.gradient.norm() <= 10 * gradient_rounding(system_, point.state);
+  }
+
+  const System& system_;
+  const SolveOptions& options_;
+  Linearisation& at_;
+  Equilibrium& result_;
+  double shift_ = 0.0;
+};
+
+Newton::Point Newton::evaluate(State state) {
+  ++result_.evaluations;
+  Point point{.state = std::move(state)};
+  point.energy = system_.energy(point.state);
+  if (!std::isfinite(point.energy)) return point;
+  const ForceBalance balance = force_balance(system_, point.state);
+  point.gradient = balance.gradient;
+  point.residual = balance.residual;
+  return point;
+}
+
+Newton::Point Newton::step_from(const Point& from, const Eigen::VectorXd& step) {
+  Point point = evaluate(system_.displaced(from.state, step));
+  point.forces = predicted_forces(system_, from.state, step);
+  return point;
+}
+
+// Factorises the Hessian, made positive definite: first by leaving out compression, which is what
+// makes it indefinite far from equilibrium, then by a shift.
+void Newton::factorise_positive(const Point& point) {
+  constexpr double far = 0.5;  // residual above which predicted forces are not to be trusted
+  at_.rigid = rigid_modes(system_, point.state);
+  const auto attempt = [&](double shift) {
+    check(system_, at_, at_.factor.factorise(at_.matrix, shift));
+    ++result_.factorisations;
+    return at_.regular && at_.negative == 0;
+  };
+  fill(system_, point.state, point.forces, at_);
+  if (shift_ == 0 && attempt(0)) return;
+  if (point.residual > far) {
+    InternalForces pulling = point.forces;
+    for (auto& axial : pulling.axial) axial = axial.cwiseMax(0);
+    pulling.tension = pulling.tension.cwiseMax(0);
+    fill(system_, point.state, pulling, at_);
+    if (shift_ == 0 && attempt(0)) return;
+  }
+  const double smallest = 0.1 * softest_stiffness(system_.structure());
+  double shift = std::max(shift_ / 30, smallest);
+  while (!attempt(shift) && std::isfinite(shift)) shift *= 10;
+  shift_ = shift > smallest ? shift : 0;
+}
+
+// Halves `step` from `from` until the energy falls enough.
+bool Newton::line_search(const Point& from, const Eigen::VectorXd& step, double slope,
+                         Point& result) {
+  for (double length = 0.5; length > 1e-12; length /= 2) {
+    Point trial = step_from(from, length * step);
+    if (trial.energy <= from.energy + 1e-4 * length * slope) {
+      result = std::move(trial);
+      return true;
+    }
+  }
+  return false;
+}
+
+// Leaves a saddle or maximum along a direction of negative curvature.
+bool Newton::escape(Point& point) {
+  Eigen::VectorXd direction = at_.factor.negative_curvature();
+  remove_rigid(at_.rigid, direction);
+  if (point.gradient.dot(direction) > 0) direction = -direction;
+  direction *= 0.1 / largest_rotation(system_, point.state, direction);
+  for (double length = 1; length > 1e-12; length /= 2) {
+    Point trial = evaluate(system_.displaced(point.state, length * direction));
+    if (trial.energy < point.energy) {
+      point = std::move(trial);
+      point.forces = system_.internal_forces(point.state);
+      ++result_.escapes;
+      return true;
+    }
+  }
+  return false;
+}
+
+void Newton::finish(Point&& point, Reason reason) {
+  result_.state = std::move(point.state);
+  result_.energy = point.energy;
+  result_.residual = point.residual;
+  result_.reason = reason;
+}
+
+void Newton::run(State start) {
+  Point now = evaluate(std::move(start));
+  if (!std::isfinite(now.energy)) return finish(std::move(now), Reason::not_finite);
+  now.forces = system_.internal_forces(now.state);
+
+  Point reference;  // the last point that lowered the energy, and the step tried from there
+  Eigen::VectorXd reference_step;
+  double reference_slope = 0;
+  int waited = 0;
+  double last_residual = std::numeric_limits<double>::infinity();
+  for (;; ++result_.iterations) {
+    const bool converged = now.residual <= options_.tolerance;
+    const bool stuck = now.residual > last_residual / 4 && at_rounding(now);
+    last_residual = now.residual;
+    if (converged || stuck) {
+      linearise(system_, now.state, at_);
+      ++result_.factorisations;
+      result_.negative = at_.negative;
+      if (at_.negative == 0 || !escape(now))
+        return finish(std::move(now), at_.negative > 0 ? Reason::saddle
+                                      : converged      ? Reason::converged
+                                                       : Reason::rounding);
+      last_residual = std::numeric_limits<double>::infinity();
+      waited = 0;
+      continue;
+    }
+    if (options_.stop.stop_requested()) return finish(std::move(now), Reason::stopped);
+    if (result_.iterations >= options_.max_iterations)
+      return finish(std::move(now), Reason::iteration_limit);
+
+    factorise_positive(now);
+    Eigen::VectorXd step;
+    at_.factor.solve(-now.gradient, step);
+    const double slope = now.gradient.dot(step);
+    step *= std::min(1.0, options_.max_rotation / largest_rotation(system_, now.state, step));
+    Point next = step_from(now, step);
+    if (waited == 0) {
+      reference = std::move(now);
+      reference_step = std::move(step);
+      reference_slope = slope;
+    }
+    const double rounding = 10 * std::numeric_limits<double>::epsilon() * std::abs(next.energy);
+    if (next.energy <= reference.energy + 1e-4 * reference_slope + rounding) {
+      waited = 0;
+      now = std::move(next);
+    } else if (waited < options_.patience && std::isfinite(next.energy)) {
+      ++waited;
+      now = std::move(next);
+    } else {
+      waited = 0;
+      if (!line_search(reference, reference_step, reference_slope, now))
+        return finish(std::move(reference), Reason::no_descent);
+    }
+  }
+}
+
+}  // namespace
+
+Eigen::MatrixXd Linearisation::solve(Eigen::MatrixXd b) const {
+  Eigen::MatrixXd x = factor.solve(b);
+  for (int k = 0; k < x.cols(); ++k) remove_rigid(rigid, x.col(k));
+  return x;
+}
+
+void linearise(const System& system, const State& state, Linearisation& at) {
+  at.rigid = rigid_modes(system, state);
+  fill(system, state, system.internal_forces(state), at);
+  check(system, at, at.factor.factorise(at.matrix));
+}
+
+Equilibrium solve(const System& system, State start, const SolveOptions& options,
+                  Linearisation& workspace) {
+  Equilibrium result;
+  Newton(system, options, workspace, result).run(std::move(start));
+  return result;
+}
+
+Equilibrium solve(const System& system, State start, const SolveOptions& options) {
+  Linearisation workspace;
+  return solve(system, std::move(start), options, workspace);
+}
+
+std::string describe(Reason reason) {
+  switch (reason) {
+    case Reason::converged:
+      return "converged to a stable equilibrium";
+    case Reason::rounding:
+      return "converged to a stable equilibrium, as far as rounding allows";
+    case Reason::saddle:
+      return "stopped at an unstable equilibrium";
+    case Reason::iteration_limit:
+      return "the iteration limit was reached";
+    case Reason::no_descent:
+      return "no step lowers the energy, although forces are not in balance";
+    case Reason::not_finite:
+      return "the energy of the starting state is not finite (a folded rod or a zero-length edge)";
+    case Reason::stopped:
+      return "stopped on request";
+  }
+  return {};
+}
+
+double residual(const System& system, const State& state) {
+  return force_balance(system, state).residual;
+}
+
+}  // namespace tencer::equilibrium

@@ -1,0 +1,210 @@
+#include <algorithm>
+#include <tencer/der/energy.hpp>
+#include <tencer/equilibrium/system.hpp>
+#include <tencer/springs/law.hpp>
+#include <utility>
+
+namespace tencer::equilibrium {
+namespace {
+
+// Marks the held unknowns of every rod and numbers the others.
+std::vector<std::vector<int>> number_unknowns(const Structure& structure, int& size) {
+  std::vector<std::vector<int>> index;
+  for (const auto& rod : structure.rods) {
+    auto& held = index.emplace_back(der::unknowns(rod), 0);
+    if (structure.planar)
+      for (int v = 0; v < rod.vertices(); ++v) held[3 * v + 2] = -1;
+    const int theta = 3 * rod.vertices();
+    if (rod.clamp_start_frame && static_cast<int>(held.size()) > theta) held[theta] = -1;
+    if (rod.clamp_end_frame && static_cast<int>(held.size()) > theta)
+      held[theta + rod.edges() - 1] = -1;
+  }
+  for (const Pin& pin : structure.pins)
+    for (int axis = 0; axis < 3; ++axis)
+      if (pin.axes[axis]) index[pin.rod][3 * pin.vertex + axis] = -1;
+  size = 0;
+  for (auto& rod : index)
+    for (int& i : rod)
+      if (i == 0) i = size++;
+  return index;
+}
+
+std::vector<int> stencil_unknowns(const springs::Stencil& stencil,
+                                  const std::vector<std::vector<int>>& index) {
+  std::vector<int> list;
+  for (int i = 0; i < stencil.count; ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      list.push_back(index[stencil.shares[i].rod][3 * stencil.shares[i].vertex + axis]);
+  return list;
+}
+
+bool same_vertices(const springs::Stencil& a, const springs::Stencil& b) {
+  if (a.count != b.count) return false;
+  for (int i = 0; i < a.count; ++i)
+    if (a.shares[i].rod != b.shares[i].rod || a.shares[i].vertex != b.shares[i].vertex)
+      return false;
+  return true;
+}
+
+}  // namespace
+
+System::System(Structure structure, geometry::Side side)
+    : structure_(std::move(structure)), side_(side) {
+  validate(structure_);
+  for (const auto& rod : structure_.rods) arc_lengths_.emplace_back(rod.rest_lengths, rod.closed);
+  index_ = number_unknowns(structure_, size_);
+  for (std::size_t r = 0; r < structure_.rods.size(); ++r) {
+    if (der::twist_model(structure_.rods[r]) == der::TwistModel::uniform) ++saddle_unknowns_;
+    for (auto& element : der::elements(structure_.rods[r])) {
+      for (int& unknown : element) unknown = index_[r][unknown];
+      rod_elements_.push_back(std::move(element));
+    }
+  }
+  for (const auto& cable : structure_.cables)
+    stencils_.push_back(springs::stencil(cable, arc_lengths_, structure_.anchors, side_));
+  lay_out();
+}
+
+void System::set_cables(std::vector<springs::Cable> cables) {
+  const int rods = static_cast<int>(structure_.rods.size());
+  for (const auto& cable : cables)
+    springs::validate(cable, rods, static_cast<int>(structure_.anchors.cols()));
+  structure_.cables = std::move(cables);
+  std::vector<springs::Stencil> stencils;
+  for (const auto& cable : structure_.cables)
+    stencils.push_back(springs::stencil(cable, arc_lengths_, structure_.anchors, side_));
+  const bool same = std::ranges::equal(stencils, stencils_, same_vertices);
+  stencils_ = std::move(stencils);
+  if (!same) lay_out();
+}
+
+void System::lay_out() {
+  group_of_rod_ = groups(structure_);
+  const int group_count = 1 + *std::ranges::max_element(group_of_rod_);
+  std::vector<int> longest(group_count, -1);
+  for (int r = 0; r < static_cast<int>(structure_.rods.size()); ++r) {
+    int& best = longest[group_of_rod_[r]];
+    if (best < 0 || structure_.rods[r].length() > structure_.rods[best].length()) best = r;
+  }
+  anchoring_unknowns_.clear();
+  for (int rod : longest) {
+    auto& list = anchoring_unknowns_.emplace_back();
+    const int n = structure_.rods[rod].vertices();
+    const int gaps = structure_.rods[rod].closed ? 4 : 3;
+    int last = -1;
+    for (int k = 0; k < 4; ++k) {
+      const int vertex = std::min(n - 1, k * n / gaps);
+      if (vertex == last) continue;
+      last = vertex;
+      for (int axis = 0; axis < 3; ++axis)
+        if (position_index(rod, vertex, axis) >= 0)
+          list.push_back(position_index(rod, vertex, axis));
+    }
+  }
+
+  std::vector<std::vector<int>> elements = rod_elements_;
+  for (const auto& stencil : stencils_) elements.push_back(stencil_unknowns(stencil, index_));
+  elements.insert(elements.end(), anchoring_unknowns_.begin(), anchoring_unknowns_.end());
+  assembler_ = std::make_unique<linalg::SymmetricAssembler>(size_, elements);
+}
+
+double System::energy(const State& state) const {
+  double sum = 0;
+  for (std::size_t r = 0; r < state.size(); ++r) sum += der::energy(structure_.rods[r], state[r]);
+  for (std::size_t c = 0; c < stencils_.size(); ++c)
+    sum += springs::energy(structure_.cables[c], span_of(stencils_[c], state).norm());
+  return sum;
+}
+
+Eigen::VectorXd System::rod_gradient(const State& state) const {
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(size_);
+  Eigen::VectorXd local;
+  for (std::size_t r = 0; r < state.size(); ++r) {
+    local.setZero(static_cast<Eigen::Index>(index_[r].size()));
+    der::add_gradient(structure_.rods[r], state[r], local);
+    for (Eigen::Index i = 0; i < local.size(); ++i)
+      if (index_[r][i] >= 0) gradient[index_[r][i]] += local[i];
+  }
+  return gradient;
+}
+
+Eigen::VectorXd System::gradient(const State& state) const {
+  Eigen::VectorXd gradient = rod_gradient(state);
+  add_cable_gradient(state, gradient);
+  return gradient;
+}
+
+void System::add_cable_gradient(const State& state, Eigen::VectorXd& gradient) const {
+  for (std::size_t c = 0; c < stencils_.size(); ++c) {
+    const auto& stencil = stencils_[c];
+    const Eigen::Vector3d force = springs::force(structure_.cables[c], span_of(stencil, state));
+    for (int i = 0; i < stencil.count; ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        const int at = position_index(stencil.shares[i].rod, stencil.shares[i].vertex, axis);
+        if (at >= 0) gradient[at] += stencil.shares[i].weight * force[axis];
+      }
+  }
+}
+
+InternalForces System::internal_forces(const State& state) const {
+  InternalForces forces;
+  for (std::size_t r = 0; r < state.size(); ++r)
+    forces.axial.push_back(der::axial_forces(structure_.rods[r], state[r].x));
+  forces.tension.resize(static_cast<Eigen::Index>(stencils_.size()));
+  for (std::size_t c = 0; c < stencils_.size(); ++c)
+    forces.tension[static_cast<Eigen::Index>(c)] =
+        springs::tension(structure_.cables[c], span_of(stencils_[c], state).norm());
+  return forces;
+}
+
+void System::hessian(const State& state, const InternalForces& forces,
+                     linalg::SymmetricMatrix& matrix) const {
+  Eigen::Map<Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros()).setZero();
+  int first = 0;
+  for (std::size_t r = 0; r < state.size(); ++r) {
+    int count = 0;
+    der::hessian(structure_.rods[r], state[r], forces.axial[r],
+                 [&](int element, const double* values) {
+                   assembler_->add(first + element, values, matrix);
+                   ++count;
+                 });
+    first += count;
+  }
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 12, 12> block;
+  for (std::size_t c = 0; c < stencils_.size(); ++c) {
+    const auto& stencil = stencils_[c];
+    const Eigen::Matrix3d stiffness =
+        springs::stiffness_matrix(structure_.cables[c], span_of(stencil, state),
+                                  forces.tension[static_cast<Eigen::Index>(c)]);
+    block.resize(3 * stencil.count, 3 * stencil.count);
+    for (int i = 0; i < stencil.count; ++i)
+      for (int j = 0; j < stencil.count; ++j)
+        block.block<3, 3>(3 * i, 3 * j) =
+            stencil.shares[i].weight * stencil.shares[j].weight * stiffness;
+    assembler_->add(first++, block.data(), matrix);
+  }
+}
+
+void System::add_anchoring(int group, const Eigen::MatrixXd& anchoring,
+                           linalg::SymmetricMatrix& matrix) const {
+  const int first = static_cast<int>(rod_elements_.size() + stencils_.size());
+  assembler_->add(first + group, anchoring.data(), matrix);
+}
+
+void System::displace(State& state, const Eigen::VectorXd& step) const {
+  Eigen::VectorXd local;
+  for (std::size_t r = 0; r < state.size(); ++r) {
+    local.resize(static_cast<Eigen::Index>(index_[r].size()));
+    for (Eigen::Index i = 0; i < local.size(); ++i)
+      local[i] = index_[r][i] >= 0 ? step[index_[r][i]] : 0.0;
+    der::displace(structure_.rods[r], state[r], local);
+  }
+}
+
+State System::displaced(const State& state, const Eigen::VectorXd& step) const {
+  State result = state;
+  displace(result, step);
+  return result;
+}
+
+}  // namespace tencer::equilibrium

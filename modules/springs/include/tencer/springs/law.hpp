@@ -1,0 +1,28 @@
+// A cable's energy as a function of its span d, and the derivatives in d, stiffness k and rest
+// length l (paper eq. 3).
+#pragma once
+
+#include <Eigen/Core>
+#include <tencer/springs/cable.hpp>
+
+namespace tencer::springs {
+
+// k (length - l), or 0 where a tension-only cable is slack.
+double tension(const Cable& cable, double length);
+
+// k/2 (length - l)^2, or 0 where slack.
+double energy(const Cable& cable, double length);
+
+// dE/dd: the force vector tension * d / |d|. At d = 0, where the direction is not defined, it is
+// k d for l = 0 and zero otherwise.
+Eigen::Vector3d force(const Cable& cable, const Eigen::Vector3d& d);
+
+// d2E/dd2 = k t t^T + tension / |d| (I - t t^T); zero where slack. `tension` is the cable's tension
+// at |d|, or a prediction of it (see der::hessian).
+Eigen::Matrix3d stiffness_matrix(const Cable& cable, const Eigen::Vector3d& d, double tension);
+
+// A spring with the same tension at length `length` and rest length rho * length, rho in [0, 1):
+// the same equilibrium with another stiffness (paper section 4, "Cables"). Requires length > 0.
+Cable rebased(const Cable& cable, double length, double rho);
+
+}  // namespace tencer::springs
