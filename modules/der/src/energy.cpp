@@ -1,51 +1,27 @@
-#include <tencer/core/error.hpp>
 #include <tencer/der/energy.hpp>
 
-#include "hyper_dual.hpp"
+#include "framed_rod.hpp"
 #include "reduced.hpp"
+#include "uniform_twist.hpp"
 
 namespace tencer::der {
-namespace {
 
-int next(const Rod& rod, int vertex) { return vertex + 1 < rod.vertices() ? vertex + 1 : 0; }
-int previous(const Rod& rod, int vertex) { return vertex > 0 ? vertex - 1 : rod.vertices() - 1; }
-
-Eigen::Vector3d edge(const Rod& rod, const Eigen::Matrix3Xd& x, int j) {
-  return x.col(next(rod, j)) - x.col(j);
+int unknowns(const Rod& rod) {
+  const int positions = 3 * rod.vertices();
+  switch (twist_model(rod)) {
+    case TwistModel::none:
+      return positions;
+    case TwistModel::uniform:
+      return positions + 1;
+    case TwistModel::per_edge:
+      return positions + rod.edges();
+  }
+  return positions;
 }
-
-// The three vertices and two edges at a bending vertex, and its Voronoi length.
-struct Corner {
-  int before, at, after;        // vertices
-  int edge_before, edge_after;  // edges
-  double voronoi;
-};
-
-Corner corner(const Rod& rod, int b) {
-  const int at = rod.bending_vertex(b);
-  const int before = previous(rod, at);
-  return {before, at, next(rod, at),
-          before, at, (rod.rest_lengths[before] + rod.rest_lengths[at]) / 2};
-}
-
-// d(e, f)/d(x_before, x_at, x_after) applied from both sides to a 6 x 6 edge Hessian.
-Eigen::Matrix<double, 9, 9> to_vertices(const Eigen::Matrix<double, 6, 6>& h) {
-  Eigen::Matrix<double, 9, 6> half;  // rows: vertices
-  half.topRows<3>() = -h.topRows<3>();
-  half.middleRows<3>(3) = h.topRows<3>() - h.bottomRows<3>();
-  half.bottomRows<3>() = h.bottomRows<3>();
-  Eigen::Matrix<double, 9, 9> full;
-  full.leftCols<3>() = -half.leftCols<3>();
-  full.middleCols<3>(3) = half.leftCols<3>() - half.rightCols<3>();
-  full.rightCols<3>() = half.rightCols<3>();
-  return full;
-}
-
-}  // namespace
-
-int unknowns(const Rod& rod) { return 3 * rod.vertices(); }
 
 std::vector<std::vector<int>> elements(const Rod& rod) {
+  const TwistModel model = twist_model(rod);
+  const int positions = 3 * rod.vertices();
   std::vector<std::vector<int>> lists;
   const auto add_vertices = [&](std::initializer_list<int> vertices) {
     auto& list = lists.emplace_back();
@@ -56,30 +32,38 @@ std::vector<std::vector<int>> elements(const Rod& rod) {
   for (int b = 0; b < rod.bending_vertices(); ++b) {
     const Corner c = corner(rod, b);
     add_vertices({c.before, c.at, c.after});
+    if (model == TwistModel::uniform) lists.back().push_back(positions);
+    if (model == TwistModel::per_edge)
+      lists.back().insert(lists.back().end(),
+                          {positions + c.edge_before, positions + c.edge_after});
   }
   return lists;
 }
 
-RodState make_state(const Rod& rod, Eigen::Matrix3Xd x) {
-  core::require(x.cols() == rod.vertices(), "make_state: needs one point per vertex");
-  return {.x = std::move(x)};
-}
-
 double energy(const Rod& rod, const RodState& state) {
   const Section& s = rod.section;
+  const TwistModel model = twist_model(rod);
   double sum = 0;
   for (int j = 0; j < rod.edges(); ++j)
     sum += stretch_energy<double>(s.EA, rod.rest_lengths[j], edge(rod, state.x, j));
+  if (model == TwistModel::per_edge) {
+    for (int b = 0; b < rod.bending_vertices(); ++b)
+      sum += framed_energy(vertex_law(rod, b), framed_vertex(rod, state, b));
+    return sum;
+  }
   for (int b = 0; b < rod.bending_vertices(); ++b) {
     const Corner c = corner(rod, b);
     sum += bend_energy(s.EI1, c.voronoi, edge(rod, state.x, c.edge_before),
                        edge(rod, state.x, c.edge_after));
   }
+  if (model == TwistModel::uniform)
+    sum += twisting_moment(rod, state) * uniform_excess(rod, state) / 2;
   return sum;
 }
 
 void add_gradient(const Rod& rod, const RodState& state, Eigen::Ref<Eigen::VectorXd> gradient) {
   const Section& s = rod.section;
+  const TwistModel model = twist_model(rod);
   const auto at = [&](int vertex) { return gradient.segment<3>(3 * vertex); };
   for (int j = 0; j < rod.edges(); ++j) {
     const Eigen::Vector3d g =
@@ -87,13 +71,36 @@ void add_gradient(const Rod& rod, const RodState& state, Eigen::Ref<Eigen::Vecto
     at(j) -= g;
     at(next(rod, j)) += g;
   }
+  const auto add = [&](const Corner& c, const Eigen::Vector3d& e, const Eigen::Vector3d& f) {
+    at(c.before) -= e;
+    at(c.at) += e - f;
+    at(c.after) += f;
+  };
+  if (model == TwistModel::per_edge) {
+    auto theta = gradient.tail(rod.edges());
+    for (int b = 0; b < rod.bending_vertices(); ++b) {
+      const Corner c = corner(rod, b);
+      const auto g = framed_gradient<double>(vertex_law(rod, b), framed_vertex(rod, state, b));
+      add(c, g.e, g.f);
+      theta[c.edge_before] += g.theta_before;
+      theta[c.edge_after] += g.theta_after;
+    }
+    return;
+  }
   for (int b = 0; b < rod.bending_vertices(); ++b) {
     const Corner c = corner(rod, b);
     const auto g = bend_gradient<double>(s.EI1, c.voronoi, edge(rod, state.x, c.edge_before),
                                          edge(rod, state.x, c.edge_after));
-    at(c.before) -= g.e;
-    at(c.at) += g.e - g.f;
-    at(c.after) += g.f;
+    add(c, g.e, g.f);
+  }
+  if (model == TwistModel::uniform) {
+    const double moment = twisting_moment(rod, state);
+    for (int b = 0; b < rod.bending_vertices(); ++b) {
+      const Corner c = corner(rod, b);
+      const auto g = excess_gradient<double>(edge(rod, state.x, c.edge_before),
+                                             edge(rod, state.x, c.edge_after));
+      add(c, moment * g.e, moment * g.f);
+    }
   }
 }
 
@@ -107,6 +114,7 @@ Eigen::VectorXd axial_forces(const Rod& rod, const Eigen::Matrix3Xd& x) {
 void hessian(const Rod& rod, const RodState& state, const Eigen::VectorXd& axial,
              const ElementSink& sink) {
   const Section& s = rod.section;
+  const TwistModel model = twist_model(rod);
   int element = 0;
   Eigen::Matrix<double, 6, 6> stretch;
   for (int j = 0; j < rod.edges(); ++j, ++element) {
@@ -115,45 +123,34 @@ void hessian(const Rod& rod, const RodState& state, const Eigen::VectorXd& axial
     stretch << h, -h, -h, h;
     sink(element, stretch.data());
   }
+  const double moment = model == TwistModel::uniform ? twisting_moment(rod, state) : 0.0;
   for (int b = 0; b < rod.bending_vertices(); ++b, ++element) {
+    if (model == TwistModel::per_edge) {
+      const Eigen::Matrix<double, 11, 11> framed =
+          to_vertices<2>(framed_hessian(vertex_law(rod, b), framed_vertex(rod, state, b)));
+      sink(element, framed.data());
+      continue;
+    }
     const Corner c = corner(rod, b);
-    const Eigen::Matrix<double, 9, 9> bend = to_vertices(bend_hessian(
-        s.EI1, c.voronoi, edge(rod, state.x, c.edge_before), edge(rod, state.x, c.edge_after)));
-    sink(element, bend.data());
+    const Eigen::Vector3d e = edge(rod, state.x, c.edge_before);
+    const Eigen::Vector3d f = edge(rod, state.x, c.edge_after);
+    const Eigen::Matrix<double, 6, 6> bend = bend_hessian(s.EI1, c.voronoi, e, f);
+    if (model == TwistModel::none) {
+      const Eigen::Matrix<double, 9, 9> full = to_vertices<0>(bend);
+      sink(element, full.data());
+      continue;
+    }
+    // The energy as max over the moment of moment * excess - moment^2 L / (2 GJ); each vertex
+    // carries its share of the last term.
+    const auto g = excess_gradient<double>(e, f);
+    Eigen::Matrix<double, 7, 7> bordered;
+    bordered.topLeftCorner<6, 6>() = bend + moment * excess_hessian(e, f);
+    bordered.topRightCorner<6, 1>() << g.e, g.f;
+    bordered.bottomLeftCorner<1, 6>() = bordered.topRightCorner<6, 1>().transpose();
+    bordered(6, 6) = -c.voronoi / s.GJ;
+    const Eigen::Matrix<double, 10, 10> full = to_vertices<1>(bordered);
+    sink(element, full.data());
   }
-}
-
-Eigen::VectorXd third_derivative(const Rod& rod, const RodState& state, const Eigen::VectorXd& v,
-                                 const Eigen::VectorXd& w) {
-  const Section& s = rod.section;
-  const auto along = [&](int j) {
-    return hyper_dual_vector(edge(rod, state.x, j),
-                             v.segment<3>(3 * next(rod, j)) - v.segment<3>(3 * j),
-                             w.segment<3>(3 * next(rod, j)) - w.segment<3>(3 * j));
-  };
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(unknowns(rod));
-  const auto at = [&](int vertex) { return result.segment<3>(3 * vertex); };
-  for (int j = 0; j < rod.edges(); ++j) {
-    const Eigen::Vector3d g =
-        mixed_part(stretch_gradient<HyperDual>(s.EA, rod.rest_lengths[j], along(j)));
-    at(j) -= g;
-    at(next(rod, j)) += g;
-  }
-  for (int b = 0; b < rod.bending_vertices(); ++b) {
-    const Corner c = corner(rod, b);
-    const auto g =
-        bend_gradient<HyperDual>(s.EI1, c.voronoi, along(c.edge_before), along(c.edge_after));
-    const Eigen::Vector3d e = mixed_part(g.e);
-    const Eigen::Vector3d f = mixed_part(g.f);
-    at(c.before) -= e;
-    at(c.at) += e - f;
-    at(c.after) += f;
-  }
-  return result;
-}
-
-void displace(const Rod& rod, RodState& state, const Eigen::Ref<const Eigen::VectorXd>& step) {
-  state.x.reshaped() += step.head(3 * rod.vertices());
 }
 
 }  // namespace tencer::der

@@ -8,10 +8,9 @@
 #include <cmath>
 #include <limits>
 
-namespace tencer::der {
+#include "corner.hpp"
 
-template <class T>
-using Vector3 = Eigen::Matrix<T, 3, 1>;
+namespace tencer::der {
 
 // E = EA / (2 l) (|e| - l)^2 of an edge vector e with rest length l.
 template <class T>

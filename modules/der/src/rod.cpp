@@ -28,9 +28,8 @@ void validate(const Rod& rod) {
 
 TwistModel twist_model(const Rod& rod) {
   const bool straight = rod.rest_curvature.size() == 0 || rod.rest_curvature.isZero(0);
-  const bool untwisted = rod.rest_twist.size() == 0 || rod.rest_twist.isZero(0);
   const bool held = rod.clamp_start_frame && rod.clamp_end_frame;
-  if (!rod.section.isotropic() || !straight || !untwisted || held) return TwistModel::per_edge;
+  if (!rod.section.isotropic() || !straight || held) return TwistModel::per_edge;
   return rod.closing_angle ? TwistModel::uniform : TwistModel::none;
 }
 

@@ -37,13 +37,22 @@ using ElementSink = std::function<void(int element, const double* matrix)>;
 void hessian(const Rod& rod, const RodState& state, const Eigen::VectorXd& axial,
              const ElementSink& sink);
 
-// (D^2 gradient)[v, w] = d/da d/db gradient(x + a v + b w): the third derivative of the energy
-// contracted twice; v, w of unknowns(rod) entries. Not for uniform twist (require).
+// (D^2 gradient)[v, w] = d/da d/db of the gradient along a v + b w: the third derivative of the
+// energy contracted twice; v, w of unknowns(rod) entries. With uniform twist, of the mixed energy
+// whose Hessian is hessian()'s, so the moment's entries count.
 Eigen::VectorXd third_derivative(const Rod& rod, const RodState& state, const Eigen::VectorXd& v,
                                  const Eigen::VectorXd& w);
 
 // Moves `state` by `step` (unknowns(rod) entries; theta and positions; the moment is ignored) and
-// carries reference frames and holonomy along by time-parallel transport.
+// carries reference frames and holonomy along by time-parallel transport. Gradient, Hessian and
+// third derivative are those of step -> energy(displaced state) at step 0. In a per-edge rod two
+// steps in turn differ from their sum, in second order, by a rotation of each frame about its edge;
+// the Hessian therefore is the symmetric part of the derivative of the gradient, and all of it
+// where the twisting moments on the edges balance.
 void displace(const Rod& rod, RodState& state, const Eigen::Ref<const Eigen::VectorXd>& step);
+
+// The step whose direction rotates the rod rigidly about the origin with angular velocity omega:
+// omega x x of each vertex, omega . tangent of each theta.
+Eigen::VectorXd rotation_step(const Rod& rod, const RodState& state, const Eigen::Vector3d& omega);
 
 }  // namespace tencer::der

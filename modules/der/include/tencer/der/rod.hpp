@@ -15,18 +15,24 @@ struct Rod {
   Section section;
   Eigen::VectorXd rest_lengths{};  // per edge, length units, positive
 
-  // Per bending vertex, in the material frame: integrated curvature (kb . m2, -kb . m1),
-  // dimensionless. Empty: straight at rest.
+  // Per bending vertex: integrated curvature (kb . m2, -kb . m1), dimensionless, in the frame
+  // halfway between the material frames of its two edges at rest. kb, the discrete curvature
+  // binormal, has length 2 tan(turning angle / 2). The first component, bending about m2, is
+  // resisted by EI2, the second by EI1. Empty: straight at rest.
   Eigen::Matrix2Xd rest_curvature{};
-  // Per bending vertex: twist angle between the material frames of its edges at rest, radians.
-  // Empty: untwisted.
+  // Per bending vertex: twist angle at rest from the material frame of the edge before (carried
+  // across by parallel transport) to that of the edge after, radians. Empty: untwisted.
   Eigen::VectorXd rest_twist{};
 
-  // Closed rods: the angle from the material frame transported once around to the frame it started
-  // from, radians. Not set: free, the rod is glued wherever it comes to rest.
+  // Closed rods: the angle about the tangent, radians and possibly many turns, by which the
+  // material frame at the end of the rod is turned against the frame it started from where the two
+  // are glued (the seam, at vertex 0). A flat ring with closing angle 0 is untwisted, and in
+  // general the rod's total twist is the closing angle less the holonomy. Not set: free, the rod is
+  // glued wherever it comes to rest. The seam then bends like any other vertex but transmits no
+  // twisting moment.
   std::optional<double> closing_angle{};
-  // Open rods: material frames of the first and last edge held in space (their vertices are pinned
-  // by the structure).
+  // Open rods: material frames of the first and last edge held, so that theta of that edge is no
+  // free unknown; the edge's vertices are pinned by the structure.
   bool clamp_start_frame = false;
   bool clamp_end_frame = false;
 
@@ -42,9 +48,13 @@ struct Rod {
 // vertices (2 for an open rod), positive stiffnesses and lengths, all finite.
 void validate(const Rod& rod);
 
-// How twist enters. A rod that is straight, untwisted and isotropic carries no twist when an end is
-// free to spin (none); with a prescribed closing angle its twist is uniform (uniform: one scalar);
-// every other rod keeps an angle per edge.
+// Makes the curve x (3 x n) with material directors m1 (3 x edges, as far as perpendicular to the
+// edges) the rest shape: rest_lengths, rest_curvature and rest_twist (each in [-pi, pi]).
+void set_rest_shape(Rod& rod, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& m1);
+
+// How twist enters. An isotropic rod that is straight at rest carries no twist when an end is free
+// to spin (none), whatever its rest twist; with a prescribed closing angle its twist is uniform
+// (uniform: one scalar); every other rod keeps an angle per edge.
 enum class TwistModel { none, uniform, per_edge };
 TwistModel twist_model(const Rod& rod);
 
@@ -57,7 +67,9 @@ struct ReferenceFrames {
 };
 
 // A deformed rod. x: 3 x n. theta and frames are empty unless twist_model is per_edge; holonomy
-// (the angle of parallel transport once around, continuous in time) is used when it is uniform.
+// (the angle about the tangent by which parallel transport once around turns a frame, continuous in
+// time) is used when it is uniform. Frames and holonomy belong to x: move a state by displace()
+// only.
 struct RodState {
   Eigen::Matrix3Xd x{};
   Eigen::VectorXd theta{};
@@ -65,8 +77,17 @@ struct RodState {
   double holonomy = 0.0;
 };
 
-// The state with vertices at x. Per-edge rods get untwisted (Bishop) reference frames and theta = 0
-// but for the last edge of a closed rod with a closing angle and the clamped end of an open one.
+// The state with vertices at x. Per-edge rods get untwisted (Bishop) reference frames, starting
+// from a director that is a function of the first tangent alone, and the theta that a twist by
+// rest_twist gives: 0 along an untwisted open rod, also at clamped ends (set_material_frame sets
+// others). With a closing angle the remaining twist is spread evenly. The initial holonomy is in
+// [-pi, pi], so a closing angle counts its turns from there.
 RodState make_state(const Rod& rod, Eigen::Matrix3Xd x);
+
+// Columns m1, m2, tangent of an edge. States of per-edge rods only (require), as for:
+Eigen::Matrix3d material_frame(const RodState& state, int edge);
+// Turns theta of `edge`, by at most half a turn, so that m1 is as given (as far as it is
+// perpendicular to the edge; require: not along it).
+void set_material_frame(RodState& state, int edge, const Eigen::Vector3d& m1);
 
 }  // namespace tencer::der
