@@ -21,7 +21,12 @@ inline HyperDual hyper_dual(double x, double v, double w) {
 inline Eigen::Matrix<HyperDual, 3, 1> hyper_dual_vector(const Eigen::Vector3d& x,
                                                         const Eigen::Vector3d& v,
                                                         const Eigen::Vector3d& w) {
-  return {hyper_dual(x[0], v[0], w[0]), hyper_dual(x[1], v[1], w[1]), hyper_dual(x[2], v[2], w[2])};
+  Eigen::Matrix<HyperDual, 3, 1> result;
+  for (int i = 0; i < 3; ++i) {
+    result[i].value() = Dual(x[i], Eigen::Matrix<double, 1, 1>(v[i]));
+    result[i].derivatives()[0] = Dual(w[i], Eigen::Matrix<double, 1, 1>(0.0));
+  }
+  return result;
 }
 
 // The coefficients of e1 e2, and of e1.
