@@ -1,0 +1,71 @@
+// The distance of a structure from the shape it is meant to take (paper section 5.3, eq. 7).
+#pragma once
+
+#include <Eigen/Core>
+#include <tencer/equilibrium/system.hpp>
+#include <tencer/registration/rigid.hpp>
+#include <vector>
+
+namespace tencer::sensitivity {
+
+struct Target {
+  std::vector<Eigen::Matrix3Xd> points{};  // per rod, 3 x n
+  // Per rod, per vertex, >= 0, not all zero; vertices of weight 0 may be anywhere. Empty: all 1.
+  std::vector<Eigen::VectorXd> weights{};
+  // Move the target rigidly onto the shape before measuring; not for structures that anchors or
+  // pins hold in place. All rods move together.
+  bool align = true;
+  bool planar = false;  // then only within the plane z = const
+};
+
+// The target `points` with weights 1, aligned unless the structure has anchored cables or pins.
+Target make_target(const equilibrium::Structure& structure, std::vector<Eigen::Matrix3Xd> points);
+
+// Throws std::invalid_argument unless the target's sizes and weights fit the structure.
+void validate(const Target& target, const equilibrium::Structure& structure);
+
+// How far a state is from the target, in length units where nothing else is said.
+struct Deviation {
+  double value = 0.0;        // T = sum w |x - y|^2, y the aligned target (eq. 7)
+  double max = 0.0;          // largest |x - y| over the vertices with w > 0
+  double rms = 0.0;          // sqrt(T / sum w)
+  double max_percent = 0.0;  // of the diagonal of the target's axis-aligned bounding box, all
+  double rms_percent = 0.0;  // vertices counted
+  registration::RigidMotion motion{};  // takes the target to y
+};
+Deviation deviation(const Target& target, const equilibrium::State& state);
+
+// T's derivatives in the free unknowns of a system at a state: T is stationary in the alignment, so
+// the gradient is that with the alignment held, 2 w (x - y). The Hessian knows that the alignment
+// follows x: it is diagonal() less a matrix of rank 6 (in the plane 3).
+class Distance {
+ public:
+  // Throws as validate().
+  Distance(const Target& target, const equilibrium::System& system,
+           const equilibrium::State& state);
+
+  const Deviation& deviation() const { return deviation_; }
+  const Eigen::VectorXd& gradient() const { return gradient_; }  // size
+  // The Hessian times each column of v (size x k).
+  Eigen::MatrixXd hessian_times(const Eigen::Ref<const Eigen::MatrixXd>& v) const;
+
+  // T as a sum of squares, |residual|^2: sqrt(w) (x - y) of every vertex of every rod, 3 entries
+  // each. T's gradient is 2 R^T residual for the matrix R of residual_rates.
+  const Eigen::VectorXd& residual() const { return residual_; }
+  // How the residual varies with displacements v (size x k) less their rigid part, which the
+  // alignment takes up: sqrt(w) (v - rigid motion of y nearest to v). Without alignment v is taken
+  // as it is.
+  Eigen::MatrixXd residual_rates(const Eigen::Ref<const Eigen::MatrixXd>& v) const;
+
+ private:
+  Deviation deviation_;
+  Eigen::VectorXd gradient_, residual_;
+  Eigen::VectorXd weights_;           // per free unknown
+  std::vector<int> residual_rows_;    // per free unknown its row in the residual, -1 for none
+  Eigen::MatrixXd motions_;           // 3 N x r, rigid motions of y, r = 6, 3 or 0
+  Eigen::MatrixXd weighted_motions_;  // size x r, the same in free unknowns times weights_
+  Eigen::MatrixXd compliance_;  // r x r, of the alignment: inverse of T's Hessian in it, times 2
+  Eigen::MatrixXd gauss_compliance_;  // the same for x = y
+};
+
+}  // namespace tencer::sensitivity

@@ -1,0 +1,46 @@
+// How a cable's force changes with its stiffness k, its rest length l and the places s where it is
+// attached, to second order (paper sections 4 and 5.3).
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <tencer/springs/cable.hpp>
+
+namespace tencer::springs {
+
+// d(force)/dk and d(force)/dl at span d; force as in law.hpp. Zero where slack. At d = 0 zero, for
+// the direction is not defined there.
+Eigen::Vector3d force_by_stiffness(const Cable& cable, const Eigen::Vector3d& d);
+Eigen::Vector3d force_by_rest_length(const Cable& cable, const Eigen::Vector3d& d);
+
+// d(weight)/ds of each share of `stencil` (the cable's own), s of the attachment a or b; zeros for
+// an anchor. Weights are linear in s along an edge, so there is no second derivative; at a vertex
+// the rates jump, and these are those of the edge that the stencil was made for.
+enum class Attachment { a, b };
+std::array<double, 4> weight_rates(const Cable& cable, const Stencil& stencil,
+                                   std::span<const geometry::ArcLength> rods,
+                                   Attachment attachment);
+
+// Two directions in which a cable's span, stiffness and rest length vary; the first leaves
+// stiffness and rest length alone. span_12: the mixed second variation of the span.
+struct Variation {
+  Eigen::Vector3d span_1 = Eigen::Vector3d::Zero();
+  Eigen::Vector3d span_2 = Eigen::Vector3d::Zero();
+  Eigen::Vector3d span_12 = Eigen::Vector3d::Zero();
+  double stiffness_2 = 0.0;
+  double rest_length_2 = 0.0;
+};
+
+// What the derivatives of the energy E do under a variation: first variations of force = dE/dd, and
+// mixed second ones of force, dE/dk and dE/dl.
+struct Response {
+  Eigen::Vector3d force_1 = Eigen::Vector3d::Zero();
+  Eigen::Vector3d force_2 = Eigen::Vector3d::Zero();
+  Eigen::Vector3d force_12 = Eigen::Vector3d::Zero();
+  double by_stiffness_12 = 0.0;
+  double by_rest_length_12 = 0.0;
+};
+Response respond(const Cable& cable, const Eigen::Vector3d& d, const Variation& variation);
+
+}  // namespace tencer::springs
