@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <tencer/equilibrium/built.hpp>
 #include <tencer/equilibrium/solve.hpp>
+#include <tencer/equilibrium/stability.hpp>
 #include <tencer/registration/rigid.hpp>
 
 #include "published_model.hpp"
@@ -37,8 +39,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: bench_forward FOLDER\n");
     return 2;
   }
-  std::printf("%-22s %6s %5s %5s %5s %8s %9s %10s  %s\n", "model", "unkn.", "iter", "fact", "eval",
-              "ms", "residual", "to publ. %", "why");
+  std::printf("%-22s %6s %5s %5s %5s %8s %9s %10s %10s %10s  %s\n", "model", "unkn.", "iter",
+              "fact", "eval", "ms", "residual", "to publ. %", "lambda", "built", "why");
   for (const auto& model : bench::read_published_models(argv[1])) {
     equilibrium::Equilibrium result;
     int size = 0;
@@ -60,8 +62,13 @@ int main(int argc, char** argv) {
     if (model.rigidly_aligned)
       moved = registration::align(here, there, Eigen::VectorXd::Ones(here.cols())).apply(here);
     const double distance = (moved - there).colwise().norm().maxCoeff() / diagonal * 100;
-    std::printf("%-22s %6d %5d %5d %5d %8.2f %9.1e %10.2e  %s\n", model.name.c_str(), size,
-                result.iterations, result.factorisations, result.evaluations, times[3] * 1e3,
-                result.residual, distance, describe(result.reason).c_str());
+    const equilibrium::System system(model.structure);
+    const auto stability = equilibrium::stability(system, result.state);
+    const auto certificate = equilibrium::certify(model.structure, result.state,
+                                                  system.internal_forces(result.state).tension);
+    std::printf("%-22s %6d %5d %5d %5d %8.2f %9.1e %10.2e %10.3g %10.3g  %s\n", model.name.c_str(),
+                size, result.iterations, result.factorisations, result.evaluations, times[3] * 1e3,
+                result.residual, distance, stability.smallest_eigenvalue,
+                certificate.stability.smallest_eigenvalue, describe(result.reason).c_str());
   }
 }

@@ -35,12 +35,17 @@ Eigen::Vector3d step_of(const System& system, const Eigen::VectorXd& step, int r
 
 }  // namespace
 
-ForceBalance force_balance(const System& system, const State& state) {
+double relative_residual(const System& system, const Eigen::VectorXd& gradient,
+                         const Eigen::VectorXd& rod_gradient) {
   const Size size = size_of(system.structure());
-  ForceBalance balance{.gradient = system.rod_gradient(state)};
-  const double rods = balance.gradient.norm();
+  return gradient.norm() / (rod_gradient.norm() + size.bending / (size.length * size.length));
+}
+
+ForceBalance force_balance(const System& system, const State& state) {
+  const Eigen::VectorXd rods = system.rod_gradient(state);
+  ForceBalance balance{.gradient = rods};
   system.add_cable_gradient(state, balance.gradient);
-  balance.residual = balance.gradient.norm() / (rods + size.bending / (size.length * size.length));
+  balance.residual = relative_residual(system, balance.gradient, rods);
   return balance;
 }
 
@@ -57,6 +62,8 @@ double gradient_rounding(const System& system, const State& state) {
     squared += cable.stiffness * cable.stiffness * extent * extent;
   return std::numeric_limits<double>::epsilon() * std::sqrt(squared);
 }
+
+double largest_bending(const Structure& structure) { return size_of(structure).bending; }
 
 double softest_stiffness(const Structure& structure) {
   const Size size = size_of(structure);

@@ -6,15 +6,22 @@
 
 namespace tencer::equilibrium {
 
+// |gradient| / (|gradient of the rods| + max EI / L^2).
+double relative_residual(const System& system, const Eigen::VectorXd& gradient,
+                         const Eigen::VectorXd& rod_gradient);
+
 struct ForceBalance {
   Eigen::VectorXd gradient;
-  double residual = 0.0;  // |gradient| / (|gradient of the rods| + max EI / L^2)
+  double residual = 0.0;
 };
 ForceBalance force_balance(const System& system, const State& state);
 
 // What rounding of the vertices' coordinates does to the gradient's norm: eps |x| EA / l per edge
 // and eps |x| k per cable.
 double gradient_rounding(const System& system, const State& state);
+
+// The largest EI of all rods.
+double largest_bending(const Structure& structure);
 
 // EI / L^3, the order of the force per displacement of a vertex in the softest bending mode.
 double softest_stiffness(const Structure& structure);

@@ -1,5 +1,7 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
+
+#include <cmath>
 #include <tencer/der/energy.hpp>
 #include <tencer/equilibrium/rigid_modes.hpp>
 
@@ -109,14 +111,17 @@ Eigen::MatrixXd displacements(const System& system, const State& state, int grou
   return result;
 }
 
-// An orthonormal basis of the columns, dropping directions below a relative tolerance (a straight
-// rod does not move when it turns about itself).
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
+// An orthonormal basis of the columns, dropping directions smaller than `scale` by a relative
+// tolerance (a straight rod does not move when it turns about itself).
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double scale) {
   constexpr double tolerance = 1e-7;
   if (columns.cols() == 0 || columns.rows() == 0) return Eigen::MatrixXd(columns.rows(), 0);
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-  qr.setThreshold(tolerance);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+  int rank = 0;
+  while (rank < qr.matrixQR().diagonal().size() &&
+         std::abs(qr.matrixQR()(rank, rank)) > tolerance * scale)
+    ++rank;
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), rank);
 }
 
 }  // namespace
@@ -129,9 +134,11 @@ std::vector<RigidModes> rigid_modes(const System& system, const State& state) {
     const Eigen::MatrixXd moved =
         displacements(system, state, g, frame, allowed_motions(system, state, g, frame));
     RigidModes& mode = modes.emplace_back();
-    mode.basis = orthonormal(moved);
+    // A unit motion moves a vertex by about 1.
+    mode.basis = orthonormal(moved, std::sqrt(moved.rows()));
     const auto& unknowns = system.anchoring_unknowns()[group];
-    mode.anchoring = orthonormal(mode.basis(unknowns, Eigen::all));
+    const double share = static_cast<double>(unknowns.size()) / system.size();
+    mode.anchoring = orthonormal(mode.basis(unknowns, Eigen::all), std::sqrt(share));
   }
   return modes;
 }

@@ -1,0 +1,41 @@
+// The structure as it is built: cables that cannot stretch and cannot push (paper section 4,
+// "Cables").
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <tencer/equilibrium/solve.hpp>
+#include <tencer/equilibrium/stability.hpp>
+#include <vector>
+
+namespace tencer::equilibrium {
+
+struct BuiltForm {
+  Equilibrium equilibrium{};   // its residual includes the tensions
+  Eigen::VectorXd tensions{};  // per cable, >= 0
+  double stretch = 0.0;        // largest excess of a cable over its length, relative to the length
+  int rounds = 0;              // updates of the tensions
+};
+
+// Settles the structure from `start` with every cable's length limited to its rest_length
+// (stiffness and tension_only are ignored): method of multipliers on tension-only springs. Usable
+// when equilibrium.usable() holds; then stretch <= 1e-10 or as small as rounding allows.
+BuiltForm settle(const Structure& structure, State start, const SolveOptions& options = {});
+
+// What is claimed about a structure at a state with inextensible cables of the lengths they have
+// there.
+struct Certificate {
+  double residual = 0.0;       // force balance relative to the rods' internal force
+  Eigen::VectorXd tensions{};  // per cable; those of slack cables are 0
+  std::vector<int> slack{};    // cables that would have to push, or do nothing
+  Stability stability{};
+  // Forces balance to 1e-6, no cable is slack, and the state is stable.
+  bool stands() const { return residual <= 1e-6 && slack.empty() && stability.stable(); }
+};
+
+// `tensions`: as the equilibrium has them, one per cable; a cable pulling with less than 1e-9 of
+// the largest tension is slack.
+Certificate certify(const Structure& structure, const State& state,
+                    const Eigen::VectorXd& tensions);
+
+}  // namespace tencer::equilibrium

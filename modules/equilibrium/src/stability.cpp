@@ -1,0 +1,178 @@
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <tencer/core/error.hpp>
+#include <tencer/equilibrium/stability.hpp>
+#include <tencer/linalg/lowest_eigenpairs.hpp>
+#include <tencer/springs/law.hpp>
+
+#include "forces.hpp"
+
+namespace tencer::equilibrium {
+namespace {
+
+// Half the rest length of the edges at a vertex, for its free coordinates; zero for twist.
+Eigen::VectorXd lumped_lengths(const System& system) {
+  Eigen::VectorXd mass = Eigen::VectorXd::Zero(system.size());
+  for (int r = 0; r < static_cast<int>(system.structure().rods.size()); ++r) {
+    const auto& rod = system.structure().rods[r];
+    for (int j = 0; j < rod.edges(); ++j)
+      for (int vertex : {j, (j + 1) % rod.vertices()})
+        for (int axis = 0; axis < 3; ++axis)
+          if (const int at = system.position_index(r, vertex, axis); at >= 0)
+            mass[at] += rod.rest_lengths[j] / 2;
+  }
+  return mass;
+}
+
+int groups_with_freedom(const std::vector<RigidModes>& rigid) {
+  return static_cast<int>(
+      std::ranges::count_if(rigid, [](const auto& mode) { return mode.basis.cols() > 0; }));
+}
+
+// Lanczos on the inverse of H + shift M, restricted to the null space of the constraints' columns
+// (size x m) and of rigid motion; shift makes H positive definite there.
+class Spectrum {
+ public:
+  Spectrum(const System& system, const State& state, Eigen::MatrixXd constraints)
+      : system_(system),
+        constraints_(std::move(constraints)),
+        root_mass_(lumped_lengths(system).cwiseSqrt()) {
+    at_.rigid = rigid_modes(system, state);
+    at_.matrix = system.pattern();
+    system.hessian(state, system.internal_forces(state), at_.matrix);
+    Eigen::Index modes = 0;
+    for (const auto& rigid : at_.rigid) modes += rigid.basis.cols();
+    Eigen::MatrixXd rigid(system.size(), modes);
+    modes = 0;
+    for (const auto& mode : at_.rigid) {
+      rigid.middleCols(modes, mode.basis.cols()) = mode.basis;
+      modes += mode.basis.cols();
+    }
+    const Eigen::MatrixXd weighted = root_mass_.asDiagonal() * rigid;
+    if (modes > 0)
+      rigid_ = Eigen::HouseholderQR<Eigen::MatrixXd>(weighted).householderQ() *
+               Eigen::MatrixXd::Identity(system.size(), modes);
+  }
+
+  Stability run() {
+    Stability result;
+    const int groups = groups_with_freedom(at_.rigid);
+    result.loose_groups = groups > 1 ? groups : 0;
+    double shift = 0;
+    if (!factorise(0)) return result;
+    result.negative = negative_;
+    for (shift = softest_stiffness(system_.structure()); negative_ > 0; shift *= 10)
+      if (!factorise(shift) || !std::isfinite(shift)) return result;
+    result.computed = lowest(result);
+    return result;
+  }
+
+ private:
+  // Anchored only when there is no shift: a shift makes rigid motion regular by itself.
+  bool factorise(double shift) {
+    shift_ = shift;
+    linalg::SymmetricMatrix shifted = at_.matrix;
+    if (shift == 0) {
+      anchor(system_, at_.rigid, shifted);
+    } else {
+      for (int i = 0; i < shifted.cols(); ++i)
+        shifted.coeffRef(i, i) += shift * root_mass_[i] * root_mass_[i];
+    }
+    if (!at_.factor.factorise(shifted)) return false;
+    negative_ = at_.factor.inertia().negative - system_.saddle_unknowns();
+    if (constraints_.cols() == 0) return true;
+    // In([A G; G^T 0]) = In(A) + In(-G^T A^-1 G), and m negative ones belong to the constraints.
+    compliance_columns_ = at_.factor.solve(constraints_);
+    const Eigen::MatrixXd compliance = constraints_.transpose() * compliance_columns_;
+    const Eigen::VectorXd values =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(compliance, Eigen::EigenvaluesOnly)
+            .eigenvalues();
+    negative_ -= static_cast<int>((values.array() < 0).count());
+    compliance_.compute(compliance);
+    return true;
+  }
+
+  bool lowest(Stability& result) {
+    const int n = system_.size();
+    if (n < 3) return false;
+    Eigen::VectorXd force(n), motion(n);
+    const auto inverse = [&](const double* in, double* out) {
+      Eigen::VectorXd z = Eigen::Map<const Eigen::VectorXd>(in, n);
+      if (rigid_.size() > 0) z -= rigid_ * (rigid_.transpose() * z);
+      force = root_mass_.cwiseProduct(z);
+      at_.factor.solve(force, motion);
+      if (constraints_.cols() > 0)
+        motion -= compliance_columns_ * compliance_.solve(constraints_.transpose() * motion);
+      z = root_mass_.cwiseProduct(motion);
+      if (rigid_.size() > 0) z -= rigid_ * (rigid_.transpose() * z);
+      Eigen::Map<Eigen::VectorXd>(out, n) = z;
+    };
+    const auto pairs = linalg::lowest_eigenpairs(inverse, n, 1);
+    if (!pairs.converged || !std::isfinite(pairs.values[0])) return false;
+    const Structure& structure = system_.structure();
+    double length = 0;
+    for (const auto& rod : structure.rods) length += rod.length();
+    result.smallest_eigenvalue =
+        (pairs.values[0] - shift_) * length * length * length * length / largest_bending(structure);
+    result.mode = pairs.vectors.col(0);
+    for (int i = 0; i < n; ++i)
+      result.mode[i] = root_mass_[i] > 0 ? result.mode[i] / root_mass_[i] : 0;
+    result.mode /= result.mode.cwiseAbs().maxCoeff();
+    return true;
+  }
+
+  const System& system_;
+  Eigen::MatrixXd constraints_;
+  Eigen::VectorXd root_mass_;
+  Eigen::MatrixXd rigid_;  // orthonormal, in mass-weighted coordinates
+  Linearisation at_;
+  Eigen::MatrixXd compliance_columns_;
+  Eigen::LDLT<Eigen::MatrixXd> compliance_;
+  double shift_ = 0;
+  int negative_ = 0;
+};
+
+}  // namespace
+
+Stability stability(const System& system, const State& state) {
+  return Spectrum(system, state, Eigen::MatrixXd(system.size(), 0)).run();
+}
+
+Stability stability_inextensible(const Structure& structure, const State& state,
+                                 const Eigen::VectorXd& tensions, const std::vector<int>& taut) {
+  core::require(tensions.size() == static_cast<Eigen::Index>(structure.cables.size()),
+                "stability_inextensible: needs one tension per cable");
+  // The taut cables as stiff springs of the same tension: on motions that keep their lengths this
+  // changes nothing, and off them it makes the matrix regular.
+  constexpr double rho = 0.99;
+  Structure springs = structure;
+  springs.cables.clear();
+  const System lengths(structure);
+  for (int c : taut) {
+    const double length = span_of(lengths.stencils()[c], state).norm();
+    springs::Cable cable = structure.cables[c];
+    cable.rest_length = rho * length;
+    cable.stiffness = tensions[c] / (length * (1 - rho));
+    cable.tension_only = false;
+    springs.cables.push_back(cable);
+  }
+  const System system(springs);
+  Eigen::MatrixXd constraints =
+      Eigen::MatrixXd::Zero(system.size(), static_cast<Eigen::Index>(taut.size()));
+  for (std::size_t c = 0; c < taut.size(); ++c) {
+    const auto& stencil = system.stencils()[c];
+    const Eigen::Vector3d t = span_of(stencil, state).normalized();
+    for (int i = 0; i < stencil.count; ++i)
+      for (int axis = 0; axis < 3; ++axis)
+        if (const int at =
+                system.position_index(stencil.shares[i].rod, stencil.shares[i].vertex, axis);
+            at >= 0)
+          constraints(at, static_cast<Eigen::Index>(c)) += stencil.shares[i].weight * t[axis];
+  }
+  return Spectrum(system, state, std::move(constraints)).run();
+}
+
+}  // namespace tencer::equilibrium

@@ -1,0 +1,181 @@
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+#include <tencer/equilibrium/solve.hpp>
+#include <tencer/equilibrium/stability.hpp>
+
+#include "models.hpp"
+
+using namespace tencer;
+using namespace tencer::equilibrium;
+
+namespace {
+
+Eigen::MatrixXd dense(const linalg::SymmetricMatrix& lower) {
+  return Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
+}
+
+Eigen::MatrixXd dense_hessian(const System& system, const State& state) {
+  linalg::SymmetricMatrix matrix = system.pattern();
+  system.hessian(state, system.internal_forces(state), matrix);
+  return dense(matrix);
+}
+
+// Two linked rings with zero-length cables between them and one within the first.
+Structure linked_rings() {
+  Structure structure;
+  structure.rods = {models::slender_rod(true, 24, 1.0, 300),
+                    models::slender_rod(true, 20, 1.2, 300)};
+  for (int k = 0; k < 5; ++k)
+    structure.cables.push_back({.a = springs::OnRod{0, 0.21 * k},
+                                .b = springs::OnRod{1, 0.05 + 0.23 * k},
+                                .stiffness = 40.0 + k,
+                                .rest_length = 0.01 * k});
+  structure.cables.push_back(
+      {.a = springs::OnRod{0, 0.33}, .b = springs::OnRod{0, 0.9}, .stiffness = 30.0});
+  return structure;
+}
+
+State linked_state(const Structure& structure) {
+  Eigen::Matrix3Xd second = models::polygon(20, 1.2);
+  second.row(2) = second.row(1);
+  second.row(1).setZero();
+  second.row(0).array() += 0.15;
+  return make_state(structure, {models::polygon(24, 1.0), second});
+}
+
+}  // namespace
+
+TEST_CASE("the system's gradient and Hessian match differences of its energy") {
+  std::srand(3);
+  Structure structure = linked_rings();
+  structure.pins = {{.rod = 0, .vertex = 3, .axes = {true, false, true}}};
+  structure.anchors = Eigen::Vector3d(0.5, 0.2, 0.4);
+  structure.cables.push_back(
+      {.a = springs::AtAnchor{0}, .b = springs::OnRod{1, 0.4}, .stiffness = 9});
+  const System system(structure);
+  State state = linked_state(structure);
+  system.displace(state, 0.003 * Eigen::VectorXd::Random(system.size()));
+  REQUIRE(system.size() == 3 * 44 - 2);
+  const Eigen::VectorXd direction = Eigen::VectorXd::Random(system.size());
+  const double step = 1e-6;
+  const State plus = system.displaced(state, step * direction);
+  const State minus = system.displaced(state, -step * direction);
+  CHECK(system.gradient(state).dot(direction) ==
+        Approx((system.energy(plus) - system.energy(minus)) / (2 * step)).epsilon(1e-6));
+  const Eigen::VectorXd change = (system.gradient(plus) - system.gradient(minus)) / (2 * step);
+  CHECK((dense_hessian(system, state) * direction - change).norm() < 1e-7 * change.norm());
+}
+
+TEST_CASE("anchoring keeps inertia and solves exact at an equilibrium") {
+  const Structure structure = linked_rings();
+  const System system(structure);
+  Linearisation at;
+  const Equilibrium result = solve(system, linked_state(structure), {}, at);
+  REQUIRE(result.usable());
+  const Eigen::MatrixXd h = dense_hessian(system, result.state);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(h);
+  // Six zero modes, the rest positive.
+  CHECK(std::abs(spectrum.eigenvalues()[5]) < 1e-6 * spectrum.eigenvalues()[6]);
+  CHECK(spectrum.eigenvalues()[6] > 0);
+  CHECK(at.negative == 0);
+
+  Eigen::VectorXd load = Eigen::VectorXd::Random(system.size());
+  remove_rigid(at.rigid, load);
+  const Eigen::VectorXd answer = at.solve(load);
+  CHECK((h * answer - load).norm() < 1e-7 * load.norm());
+  for (const auto& mode : at.rigid)
+    CHECK((mode.basis.transpose() * answer).norm() < 1e-9 * answer.norm());
+}
+
+TEST_CASE("an equilibrium does not depend on where the structure starts in space") {
+  const Structure structure = linked_rings();
+  const System system(structure);
+  const State state = linked_state(structure);
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  State moved = state;
+  for (auto& rod : moved) rod.x = (turn * rod.x).colwise() + Eigen::Vector3d(0.3, -0.2, 0.5);
+  const Equilibrium a = solve(system, state);
+  const Equilibrium b = solve(system, moved);
+  REQUIRE(a.usable());
+  REQUIRE(b.usable());
+  CHECK(a.energy == Approx(b.energy).epsilon(1e-11));
+  const double span_a = (a.state[0].x.col(0) - a.state[1].x.col(7)).norm();
+  const double span_b = (b.state[0].x.col(0) - b.state[1].x.col(7)).norm();
+  CHECK(span_a == Approx(span_b).epsilon(1e-8));
+}
+
+TEST_CASE("the smallest eigenvalue matches the dense spectrum") {
+  const Structure structure = linked_rings();
+  const System system(structure);
+  const Equilibrium result = solve(system, linked_state(structure));
+  const Stability found = stability(system, result.state);
+  Eigen::VectorXd mass = Eigen::VectorXd::Constant(system.size(), 1.0 / 24);
+  mass.tail(60).setConstant(1.2 / 20);
+  const Eigen::VectorXd root = mass.cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd scaled =
+      root.asDiagonal() * dense_hessian(system, result.state) * root.asDiagonal();
+  const Eigen::VectorXd values =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues();
+  CHECK(found.stable());
+  CHECK(found.smallest_eigenvalue == Approx(values[6] * std::pow(2.2, 4)).epsilon(1e-6));
+}
+
+TEST_CASE("rods that nothing ties together are not called stable") {
+  Structure structure = linked_rings();
+  structure.cables.clear();
+  const System system(structure);
+  const Equilibrium result = solve(system, linked_state(structure));
+  CHECK(result.usable());
+  const Stability found = stability(system, result.state);
+  CHECK(found.loose_groups == 2);
+  CHECK_FALSE(found.stable());
+}
+
+TEST_CASE("a solve that cannot go on says why and keeps its best state") {
+  const Structure structure = linked_rings();
+  const System system(structure);
+  const Equilibrium limited = solve(system, linked_state(structure), {.max_iterations = 1});
+  CHECK(limited.reason == Reason::iteration_limit);
+  CHECK_FALSE(limited.usable());
+  CHECK(limited.state.size() == 2);
+
+  std::stop_source source;
+  source.request_stop();
+  CHECK(solve(system, linked_state(structure), {.stop = source.get_token()}).reason ==
+        Reason::stopped);
+
+  Structure folded;
+  folded.rods = {models::slender_rod(false, 3, 1.0)};
+  Eigen::Matrix3Xd x(3, 3);
+  x << 0, 0.5, 0, 0, 0, 0, 0, 0, 0;
+  CHECK(solve(System(folded), make_state(folded, {x})).reason == Reason::not_finite);
+}
+
+TEST_CASE("structures that make no sense are refused by name") {
+  Structure structure = linked_rings();
+  structure.cables[0].b = springs::OnRod{2, 0.0};
+  CHECK_THROWS_WITH(System(structure), Catch::Contains("no such rod"));
+  structure = linked_rings();
+  structure.pins = {{.rod = 0, .vertex = 24}};
+  CHECK_THROWS_WITH(System(structure), Catch::Contains("pin"));
+  structure = linked_rings();
+  structure.rods[1].section.EA = 0;
+  CHECK_THROWS_WITH(System(structure), Catch::Contains("EA"));
+}
+
+TEST_CASE("replacing cables gives the same system as building it anew") {
+  const Structure structure = linked_rings();
+  System changed(structure);
+  auto cables = structure.cables;
+  cables[1].a = springs::OnRod{0, 0.77};
+  cables.pop_back();
+  changed.set_cables(cables);
+  Structure fresh_structure = structure;
+  fresh_structure.cables = cables;
+  const System fresh(fresh_structure);
+  const State state = linked_state(structure);
+  CHECK(changed.gradient(state) == fresh.gradient(state));
+  CHECK(dense_hessian(changed, state) == dense_hessian(fresh, state));
+}
