@@ -44,9 +44,8 @@ class Newton {
   bool line_search(const Point& from, const Eigen::VectorXd& step, double slope, Point& result);
   bool escape(Point& point);
   void finish(Point&& point, Reason reason);
-  // Whether the residual can be expected to fall no further.
   bool at_rounding(const Point& point) const {
-    return point.gradient.norm() <= 10 * gradient_rounding(system_, point.state);
+    return point.gradient.norm() <= gradient_rounding(system_, point.state);
   }
 
   const System& system_;
@@ -145,12 +144,9 @@ void Newton::run(State start) {
   Eigen::VectorXd reference_step;
   double reference_slope = 0;
   int waited = 0;
-  double last_residual = std::numeric_limits<double>::infinity();
   for (;; ++result_.iterations) {
     const bool converged = now.residual <= options_.tolerance;
-    const bool stuck = now.residual > last_residual / 4 && at_rounding(now);
-    last_residual = now.residual;
-    if (converged || stuck) {
+    if (converged || at_rounding(now)) {
       linearise(system_, now.state, at_);
       ++result_.factorisations;
       result_.negative = at_.negative;
@@ -158,7 +154,6 @@ void Newton::run(State start) {
         return finish(std::move(now), at_.negative > 0 ? Reason::saddle
                                       : converged      ? Reason::converged
                                                        : Reason::rounding);
-      last_residual = std::numeric_limits<double>::infinity();
       waited = 0;
       continue;
     }

@@ -4,40 +4,56 @@
 namespace tencer::linalg {
 
 SymmetricAssembler::SymmetricAssembler(int size, std::span<const std::vector<int>> elements) {
-  std::vector<std::vector<int>> rows_of_column(size);
-  for (int i = 0; i < size; ++i) rows_of_column[i].push_back(i);
-  for (const auto& element : elements)
-    for (int column : element)
-      for (int row : element)
-        if (column >= 0 && row >= column) rows_of_column[column].push_back(row);
-
-  pattern_.resize(size, size);
-  std::vector<int> counts(size);
-  for (int j = 0; j < size; ++j) {
-    auto& rows = rows_of_column[j];
-    std::ranges::sort(rows);
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    counts[j] = static_cast<int>(rows.size());
-  }
-  pattern_.reserve(counts);
-  for (int j = 0; j < size; ++j)
-    for (int i : rows_of_column[j]) pattern_.insert(i, j) = 0.0;
-  pattern_.makeCompressed();
-
-  const auto position = [&](int row, int column) {
-    const int* begin = pattern_.innerIndexPtr() + pattern_.outerIndexPtr()[column];
-    const int* end = pattern_.innerIndexPtr() + pattern_.outerIndexPtr()[column + 1];
-    return static_cast<int>(std::lower_bound(begin, end, row) - pattern_.innerIndexPtr());
+  // For every unknown, where it stands in the elements.
+  struct Place {
+    int element;
+    int local;
   };
+  std::vector<std::vector<Place>> places(size);
   first_slot_.push_back(0);
-  for (const auto& element : elements) {
-    const int k = static_cast<int>(element.size());
-    for (int b = 0; b < k; ++b)
-      for (int a = 0; a < k; ++a)
-        if (element[b] >= 0 && element[a] >= element[b])
-          slots_.push_back({a + b * k, position(element[a], element[b])});
-    first_slot_.push_back(static_cast<int>(slots_.size()));
+  for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
+    const auto& element = elements[e];
+    int pairs = 0;
+    for (int b = 0; b < static_cast<int>(element.size()); ++b) {
+      if (element[b] < 0) continue;
+      places[element[b]].push_back({e, b});
+      for (int row : element) pairs += row >= element[b] ? 1 : 0;
+    }
+    first_slot_.push_back(first_slot_.back() + pairs);
   }
+
+  // Column by column: which rows its elements couple it with, then where their entries land.
+  slots_.resize(first_slot_.back());
+  std::vector<int> next_slot(first_slot_.begin(), first_slot_.end() - 1);
+  std::vector<int> position(size, -1);
+  std::vector<int> rows, all_rows, column_starts{0};
+  for (int j = 0; j < size; ++j) {
+    rows.assign(1, j);
+    position[j] = 0;
+    for (const Place& place : places[j])
+      for (int row : elements[place.element])
+        if (row > j && position[row] < 0) {
+          position[row] = 0;
+          rows.push_back(row);
+        }
+    std::ranges::sort(rows);
+    for (int row : rows) {
+      position[row] = static_cast<int>(all_rows.size());
+      all_rows.push_back(row);
+    }
+    column_starts.push_back(static_cast<int>(all_rows.size()));
+    for (const Place& place : places[j]) {
+      const auto& element = elements[place.element];
+      const int k = static_cast<int>(element.size());
+      for (int a = 0; a < k; ++a)
+        if (element[a] >= j)
+          slots_[next_slot[place.element]++] = {a + place.local * k, position[element[a]]};
+    }
+    for (int row : rows) position[row] = -1;
+  }
+  const Eigen::VectorXd zeros = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(all_rows.size()));
+  pattern_ = Eigen::Map<const SymmetricMatrix>(size, size, zeros.size(), column_starts.data(),
+                                               all_rows.data(), zeros.data());
 }
 
 void SymmetricAssembler::add(int element, const double* element_matrix,
