@@ -19,7 +19,7 @@ struct PublishedModel {
 
 PublishedModel read_published_model(const std::string& path);
 
-// Every model of a folder, by name; `smallest unknowns first` is not promised.
+// Every model of a folder, in the order of their names.
 std::vector<PublishedModel> read_published_models(const std::string& folder);
 
 }  // namespace bench
