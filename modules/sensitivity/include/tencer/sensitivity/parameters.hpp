@@ -41,16 +41,18 @@ Eigen::VectorXd force_derivatives_transposed(const equilibrium::System& system,
                                              std::span<const Parameter> parameters,
                                              const Eigen::VectorXd& y);
 
-// The third derivative of the energy E(x, p) along two directions (y, 0) and (v, q): derivatives of
-// y^T g in x and in p, differentiated once more along (v, q). y, v: size; q: P.
-struct SecondDerivatives {
-  Eigen::VectorXd unknowns{};    // size: g_xx[y, v] + g_xp[y, q]
-  Eigen::VectorXd parameters{};  // P: y^T g_px[v] + y^T g_pp[q]
+// Second derivatives of y^T g, y (size) held: `mixed` in x and p, size x P, and `parameters` in p,
+// P x P.
+struct ForceCurvature {
+  ParameterJacobian mixed{};
+  ParameterJacobian parameters{};
 };
-SecondDerivatives second_derivatives(const equilibrium::System& system,
-                                     const equilibrium::State& state,
-                                     std::span<const Parameter> parameters,
-                                     const Eigen::VectorXd& y, const Eigen::VectorXd& v,
-                                     const Eigen::VectorXd& q);
+ForceCurvature force_curvature(const equilibrium::System& system, const equilibrium::State& state,
+                               std::span<const Parameter> parameters, const Eigen::VectorXd& y);
+
+// Those in x alone, the derivative of the Hessian of E along y, times each column of v (size x k).
+Eigen::MatrixXd third_derivative_times(const equilibrium::System& system,
+                                       const equilibrium::State& state, const Eigen::VectorXd& y,
+                                       const Eigen::Ref<const Eigen::MatrixXd>& v);
 
 }  // namespace tencer::sensitivity

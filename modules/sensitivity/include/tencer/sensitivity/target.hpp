@@ -60,12 +60,13 @@ class Distance {
  private:
   Deviation deviation_;
   Eigen::VectorXd gradient_, residual_;
-  Eigen::VectorXd weights_;           // per free unknown
-  std::vector<int> residual_rows_;    // per free unknown its row in the residual, -1 for none
-  Eigen::MatrixXd motions_;           // 3 N x r, rigid motions of y, r = 6, 3 or 0
-  Eigen::MatrixXd weighted_motions_;  // size x r, the same in free unknowns times weights_
-  Eigen::MatrixXd compliance_;  // r x r, of the alignment: inverse of T's Hessian in it, times 2
-  Eigen::MatrixXd gauss_compliance_;  // the same for x = y
+  Eigen::VectorXd weights_;           // per free unknown; 0 for what is not a position
+  Eigen::VectorXd roots_;             // sqrt(w) per row of the residual
+  std::vector<int> rows_;             // per free unknown its row in the residual, -1 for none
+  Eigen::MatrixXd motions_;           // rigid motions of y that are aligned away: 3 N x 6, 3 or 0
+  Eigen::MatrixXd weighted_motions_;  // the same in free unknowns, times weights_
+  // Inverse of half of T's Hessian in these motions; gauss_compliance_: as it would be for x = y.
+  Eigen::MatrixXd compliance_, gauss_compliance_;
 };
 
 }  // namespace tencer::sensitivity

@@ -1,0 +1,62 @@
+#include <tencer/core/error.hpp>
+#include <tencer/sensitivity/derivatives.hpp>
+
+namespace tencer::sensitivity {
+namespace {
+
+// H^+ b. Rounding leaves b a rigid part even where it has none in exact arithmetic.
+Eigen::MatrixXd solve(const Configuration& at, Eigen::MatrixXd b) {
+  for (Eigen::Index k = 0; k < b.cols(); ++k)
+    equilibrium::remove_rigid(at.linearisation.rigid, b.col(k));
+  return at.linearisation.solve(std::move(b));
+}
+
+}  // namespace
+
+Eigen::VectorXd adjoint(const Configuration& at, const Distance& distance) {
+  return solve(at, -distance.gradient());
+}
+
+Eigen::VectorXd gradient(const Configuration& at, std::span<const Parameter> parameters,
+                         const Eigen::VectorXd& adjoint) {
+  return force_derivatives_transposed(at.system, at.state, parameters, adjoint);
+}
+
+Eigen::MatrixXd state_derivatives(const Configuration& at, std::span<const Parameter> parameters) {
+  return solve(at, -Eigen::MatrixXd(force_derivatives(at.system, at.state, parameters)));
+}
+
+LeastSquares least_squares(const Distance& distance, const Eigen::MatrixXd& state_derivatives) {
+  return {.residual = distance.residual(), .jacobian = distance.residual_rates(state_derivatives)};
+}
+
+Eigen::VectorXd hessian_times(const Configuration& at, std::span<const Parameter> parameters,
+                              const Distance& distance, const Eigen::VectorXd& adjoint,
+                              const Eigen::VectorXd& q) {
+  core::require(q.size() == static_cast<Eigen::Index>(parameters.size()),
+                "hessian_times: needs a rate for every parameter");
+  const ParameterJacobian rates = force_derivatives(at.system, at.state, parameters);
+  const ForceCurvature curvature = force_curvature(at.system, at.state, parameters, adjoint);
+  const Eigen::VectorXd motion = solve(at, -(rates * q));
+  const Eigen::VectorXd change = distance.hessian_times(motion) +
+                                 third_derivative_times(at.system, at.state, adjoint, motion) +
+                                 curvature.mixed * q;
+  const Eigen::VectorXd adjoint_rate = solve(at, -change);
+  return rates.transpose() * adjoint_rate + curvature.mixed.transpose() * motion +
+         curvature.parameters * q;
+}
+
+Eigen::MatrixXd hessian(const Configuration& at, std::span<const Parameter> parameters,
+                        const Distance& distance, const Eigen::VectorXd& adjoint,
+                        const Eigen::MatrixXd& state_derivatives) {
+  const Eigen::MatrixXd& motions = state_derivatives;
+  const ForceCurvature curvature = force_curvature(at.system, at.state, parameters, adjoint);
+  const Eigen::MatrixXd mixed = curvature.mixed.transpose() * motions;
+  const Eigen::MatrixXd change = distance.hessian_times(motions) +
+                                 third_derivative_times(at.system, at.state, adjoint, motions);
+  Eigen::MatrixXd result = motions.transpose() * change;
+  result += mixed + mixed.transpose() + Eigen::MatrixXd(curvature.parameters);
+  return (result + result.transpose()) / 2;
+}
+
+}  // namespace tencer::sensitivity
