@@ -1,0 +1,40 @@
+// Curve files: target curves in, poses out.
+//
+// The format goes by the extension:
+//   .obj              `v x y z` and `l i j k ...` (indices from 1; negative ones count back from
+//   the
+//                     last vertex so far). Elements that share an end vertex are joined, so that a
+//                     file with one element an edge works; every chain is a curve, and closed when
+//                     it returns to its first vertex. A file without `l` holds one curve through
+//                     its vertices in order. Faces are not curves and are refused.
+//   .csv, .xyz, .txt  x, y, z a line, separated by commas, semicolons or blanks; `#` starts a
+//                     comment; a first line without numbers is a header; blank lines separate
+//                     curves.
+//   .json             {"curves": [{"closed": bool, "points": [[x, y, z], ...]}, ...]}, or one curve
+//                     as a bare array of points.
+//
+// In all of them a curve whose last point repeats its first is closed and the repeated point is
+// left out. An explicit "closed": false together with such a point is an error. So are numbers that
+// are not finite, a curve of one point, a closed one of fewer than three, a zero-length edge
+// (shorter than 1e-9 of the curve's bounding-box diagonal), and an edge that turns straight back
+// along the one before it, where the curvature is infinite.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <tencer/core/error.hpp>
+#include <tencer/geometry/polyline.hpp>
+#include <vector>
+
+namespace tencer::io {
+
+// At least one curve. Errors: "file:line" (text formats) or "file: key" (JSON).
+core::Expected<std::vector<geometry::Polyline>> read_curves(const std::filesystem::path& path);
+
+// An OBJ file with one `l` a curve, the first index repeated when closed; read_curves gives the
+// same doubles back.
+std::optional<core::Error> write_obj(const std::filesystem::path& path,
+                                     std::span<const geometry::Polyline> curves);
+
+}  // namespace tencer::io

@@ -1,0 +1,16 @@
+// The design as JSON, both ways.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <tencer/io/design.hpp>
+
+#include "json_value.hpp"
+
+namespace tencer::io {
+
+// Throws BadInput for everything design.hpp says is checked.
+Design design_from_json(const JsonValue& root);
+
+nlohmann::ordered_json design_to_json(const Design& design);
+
+}  // namespace tencer::io

@@ -1,0 +1,345 @@
+#include <algorithm>
+#include <functional>
+#include <tencer/geometry/families.hpp>
+#include <tencer/geometry/sampling.hpp>
+#include <tencer/io/curve.hpp>
+#include <tencer/io/file.hpp>
+#include <tencer/io/scene.hpp>
+#include <utility>
+
+#include "bad_input.hpp"
+#include "scene_targets.hpp"
+#include "scene_units.hpp"
+#include "text.hpp"
+#include "toml_value.hpp"
+
+namespace tencer::io {
+namespace {
+
+using geometry::Family;
+using geometry::Polyline;
+
+constexpr double default_poisson = 0.3;
+constexpr int fewest_vertices = 3;
+
+// ---- rods
+
+std::vector<Polyline> family_targets(const TomlTable& rod) {
+  const std::vector<Family> known = geometry::families();
+  std::vector<std::string_view> names;
+  for (const Family& family : known) names.push_back(family.name);
+  const std::string name = *rod.one_of("family", names);
+  const Family& family = *std::ranges::find(known, name, &Family::name);
+
+  std::vector<double> values;
+  for (const geometry::FamilyParameter& parameter : family.parameters)
+    values.push_back(parameter.standard);
+  if (const auto given = rod.table("parameters")) {
+    std::vector<std::string_view> keys;
+    for (const geometry::FamilyParameter& parameter : family.parameters)
+      keys.push_back(parameter.name);
+    given->only(keys);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = given->number(keys[i]).value_or(values[i]);
+  }
+  const int vertices = rod.integer("vertices", fewest_vertices).value_or(family.vertices);
+  if (const auto problem = geometry::family_problem(family, values, vertices))
+    rod.fail(rod.has("parameters") ? "parameters" : "family", *problem);
+  return geometry::family_curves(family, values, vertices);
+}
+
+std::vector<Polyline> file_targets(const TomlTable& rod, const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / *rod.text("curve");
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+    rod.fail("curve", "there is no file " + file.string());
+  std::vector<Polyline> curves = value_or_fail(read_curves(file));
+  if (const auto vertices = rod.integer("vertices", fewest_vertices))
+    for (Polyline& curve : curves) curve = geometry::resample(curve, *vertices);
+  return curves;
+}
+
+// What a [[rod]] table says about the sections of its rods.
+struct SectionWish {
+  std::optional<Section> direct;
+  std::optional<double> radius;
+  std::optional<double> youngs_modulus;
+  double poisson = default_poisson;
+};
+
+// EI as one number or as [a, b].
+Eigen::Vector2d bending_stiffness(const TomlTable& section) {
+  if (!section.is_array("EI"))
+    return Eigen::Vector2d::Constant(section.need("EI", section.positive("EI")));
+  const std::vector<double> pair = *section.numbers("EI");
+  if (pair.size() != 2 || pair[0] <= 0 || pair[1] <= 0)
+    section.fail("EI", "expected a positive number, or two of them [a, b]");
+  return {pair[0], pair[1]};
+}
+
+SectionWish section_wish(const TomlTable& rod) {
+  SectionWish wish;
+  const auto section = rod.table("section");
+  if (!section) return wish;
+  if (section->has("EA") || section->has("EI") || section->has("GJ")) {
+    section->only({"EA", "EI", "GJ"});
+    Section direct;
+    direct.EA = section->need("EA", section->positive("EA"));
+    direct.GJ = section->need("GJ", section->positive("GJ"));
+    direct.EI = bending_stiffness(*section);
+    wish.direct = direct;
+    return wish;
+  }
+  section->only({"shape", "radius", "youngs_modulus", "poisson", "EA", "EI", "GJ"});
+  section->one_of("shape", std::array<std::string_view, 1>{"circle"});
+  wish.radius = section->positive("radius");
+  wish.youngs_modulus = section->positive("youngs_modulus");
+  wish.poisson = section->number("poisson").value_or(wish.poisson);
+  if (wish.poisson <= -1.0 || wish.poisson > 0.5)
+    section->fail("poisson", "expected a number above -1, at most 0.5");
+  return wish;
+}
+
+struct ListedRod {
+  SceneRod rod;
+  SectionWish section;
+};
+
+std::vector<ListedRod> read_rod(const TomlTable& table, const std::filesystem::path& folder) {
+  table.only({"curve", "index", "family", "parameters", "vertices", "closed", "section"});
+  if (table.has("curve") == table.has("family"))
+    fail(table.where(), "a rod needs either curve = \"FILE\" or family = \"NAME\"");
+  if (table.has("parameters") && !table.has("family"))
+    table.fail("parameters", "belongs to family, not to curve");
+  table.text("curve");
+  std::vector<Polyline> curves =
+      table.has("curve") ? file_targets(table, folder) : family_targets(table);
+  if (const auto index = table.integer("index", 0)) {
+    if (*index >= static_cast<int>(curves.size()))
+      table.fail("index", "there is no curve " + std::to_string(*index) + "; " +
+                              index_range(static_cast<int>(curves.size())));
+    curves = {curves[*index]};
+  }
+  if (const auto closed = table.boolean("closed"))
+    for (const Polyline& curve : curves)
+      if (curve.closed != *closed)
+        table.fail("closed", curve.closed ? "is false, but the curve is closed: its end meets its "
+                                            "start; remove the key or open the curve"
+                                          : "is true, but the curve is open: its last point does "
+                                            "not repeat its first; remove the key or close the "
+                                            "curve");
+  const SectionWish section = section_wish(table);
+  std::vector<ListedRod> rods;
+  for (Polyline& curve : curves) {
+    SceneRod rod;
+    rod.weights = Eigen::VectorXd::Ones(curve.vertices());
+    rod.target = std::move(curve);
+    rod.source = table.where();
+    rods.push_back({std::move(rod), section});
+  }
+  return rods;
+}
+
+void read_rods(const TomlTable& root, const std::filesystem::path& folder, Scene& scene) {
+  std::vector<SectionWish> wishes;
+  for (const TomlTable& table : root.tables("rod"))
+    for (ListedRod& listed : read_rod(table, folder)) {
+      scene.rods.push_back(std::move(listed.rod));
+      wishes.push_back(listed.section);
+    }
+  if (scene.rods.empty()) fail(root.where(), "a scene needs at least one [[rod]] table");
+  const double radius = default_radius(scene.rods);
+  const double modulus = glass_fibre_modulus(scene.length_unit, scene.force_unit);
+  for (std::size_t i = 0; i < wishes.size(); ++i)
+    scene.rods[i].section = wishes[i].direct.value_or(
+        circular_section(wishes[i].radius.value_or(radius),
+                         wishes[i].youngs_modulus.value_or(modulus), wishes[i].poisson));
+}
+
+// ---- what refers to rods
+
+int rod_index(const TomlTable& table, const Scene& scene) {
+  const int rod = table.need("rod", table.integer("rod", 0));
+  const int rods = static_cast<int>(scene.rods.size());
+  if (rod >= rods)
+    table.fail("rod", "there is no rod " + std::to_string(rod) + "; " + index_range(rods));
+  return rod;
+}
+
+void check_vertex(const TomlTable& table, std::string_view key, int vertex, const SceneRod& rod) {
+  if (vertex >= rod.target.vertices())
+    table.fail(key, "there is no vertex " + std::to_string(vertex) + "; " +
+                        index_range(rod.target.vertices()));
+}
+
+Pin read_pin(const TomlTable& table, const Scene& scene) {
+  table.only({"rod", "vertex", "axes"});
+  Pin pin;
+  pin.rod = rod_index(table, scene);
+  pin.vertex = table.need("vertex", table.integer("vertex", 0));
+  check_vertex(table, "vertex", pin.vertex, scene.rods[pin.rod]);
+  const std::string axes = table.text("axes").value_or("xyz");
+  if (axes.empty() || axes.find_first_not_of("xyz") != std::string::npos)
+    table.fail("axes", "expected letters of \"xyz\", found \"" + axes + "\"");
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    pin.axes[axis] = axes.find("xyz"[axis]) != std::string::npos;
+  return pin;
+}
+
+Arc read_arc(const TomlTable& table, const SceneRod& rod) {
+  const double length = geometry::edge_lengths(rod.target).sum();
+  const auto bound = [&](std::string_view key) {
+    const double s = table.need(key, table.at_least_zero(key));
+    if (s > length) table.fail(key, "expected an arc length from 0 to " + to_text(length));
+    return s;
+  };
+  const Arc arc{bound("from"), bound("to")};
+  if (!rod.target.closed && arc.from > arc.to)
+    table.fail("from", "must not be larger than to on an open rod");
+  return arc;
+}
+
+bool contains(const Arc& arc, double s) {
+  return arc.from <= arc.to ? s >= arc.from && s <= arc.to : s >= arc.from || s <= arc.to;
+}
+
+void read_weights(const TomlTable& design, Scene& scene) {
+  for (const TomlTable& table : design.tables("weights")) {
+    table.only({"rod", "from", "to", "weight"});
+    SceneRod& rod = scene.rods[rod_index(table, scene)];
+    const Arc arc = table.has("from") || table.has("to")
+                        ? read_arc(table, rod)
+                        : Arc{0.0, geometry::edge_lengths(rod.target).sum()};
+    const double weight = table.need("weight", table.at_least_zero("weight"));
+    const geometry::ArcLength positions = geometry::arc_length(rod.target);
+    for (int i = 0; i < rod.target.vertices(); ++i)
+      if (contains(arc, positions.knots()[i])) rod.weights[i] = weight;
+  }
+  const bool some = std::ranges::any_of(
+      scene.rods, [](const SceneRod& rod) { return rod.weights.maxCoeff() > 0; });
+  if (!some) design.fail("weights", "all vertices have weight 0; leave some to be matched");
+}
+
+void read_forbidden(const TomlTable& design, Scene& scene) {
+  for (const TomlTable& table : design.tables("forbidden_arcs")) {
+    table.only({"rod", "from", "to"});
+    SceneRod& rod = scene.rods[rod_index(table, scene)];
+    rod.forbidden_arcs.push_back(read_arc(table, rod));
+  }
+  for (const TomlTable& table : design.tables("forbidden_vertices")) {
+    table.only({"rod", "vertices"});
+    SceneRod& rod = scene.rods[rod_index(table, scene)];
+    for (const int vertex : table.need("vertices", table.integers("vertices"))) {
+      check_vertex(table, "vertices", vertex, rod);
+      rod.forbidden_vertices.push_back(vertex);
+    }
+  }
+}
+
+void read_rod_pairs(const TomlTable& design, Scene& scene) {
+  const auto lists = design.integer_lists("rod_pairs");
+  if (!lists) return;
+  const int rods = static_cast<int>(scene.rods.size());
+  std::vector<std::array<int, 2>> pairs;
+  for (const std::vector<int>& list : *lists) {
+    if (list.size() != 2)
+      design.fail("rod_pairs",
+                  "expected pairs [a, b], found an array of " + std::to_string(list.size()));
+    for (const int rod : list)
+      if (rod >= rods)
+        design.fail("rod_pairs",
+                    "there is no rod " + std::to_string(rod) + "; " + index_range(rods));
+    pairs.push_back({std::min(list[0], list[1]), std::max(list[0], list[1])});
+  }
+  if (pairs.empty() && (scene.anchors.cols() == 0 || !scene.design.external))
+    design.fail("rod_pairs",
+                "is empty and there are no cables to anchors, so no cable is left; "
+                "name a pair of rods, such as [0, 0] for cables within rod 0");
+  scene.design.rod_pairs = std::move(pairs);
+}
+
+void read_design(const TomlTable& design, Scene& scene) {
+  design.only({"method", "optimizer", "hessian", "max_error", "rod_pairs", "external",
+               "longest_cable", "weights", "forbidden_arcs", "forbidden_vertices",
+               "sparsity_weights", "spring_stiffness", "greedy_threshold"});
+  DesignSettings& settings = scene.design;
+  const auto choose = [&](std::string_view key, std::initializer_list<std::string_view> choices,
+                          std::string& value) {
+    value = design.one_of(key, std::span(choices.begin(), choices.size())).value_or(value);
+  };
+  choose("method", {"dense-springs"}, settings.method);
+  choose("optimizer", {"ipopt", "mma", "ccsaq"}, settings.optimizer);
+  choose("hessian", {"limited-memory", "gauss-newton", "exact"}, settings.hessian);
+  if (design.has("hessian") && settings.optimizer != "ipopt")
+    design.fail("hessian",
+                "belongs to the optimizer ipopt; " + settings.optimizer + " uses gradients only");
+  settings.max_error = design.positive("max_error").value_or(settings.max_error);
+  settings.longest_cable = design.positive("longest_cable");
+  settings.spring_stiffness =
+      design.positive("spring_stiffness").value_or(settings.spring_stiffness);
+  settings.greedy_threshold =
+      design.positive("greedy_threshold").value_or(settings.greedy_threshold);
+  settings.sparsity_weights =
+      design.numbers("sparsity_weights").value_or(settings.sparsity_weights);
+  const auto& weights = settings.sparsity_weights;
+  if (weights.empty() || weights[0] < 0 ||
+      std::ranges::adjacent_find(weights, std::greater_equal{}) != weights.end())
+    design.fail("sparsity_weights", "expected increasing numbers that are not negative");
+  settings.external = design.boolean("external").value_or(settings.external);
+  if (design.has("external") && settings.external && scene.anchors.cols() == 0)
+    design.fail("external",
+                "is true, but the scene has no anchors; add anchors = [[x, y, z], ...]");
+  read_rod_pairs(design, scene);
+  read_weights(design, scene);
+  read_forbidden(design, scene);
+}
+
+Scene parse_scene(const TomlTable& root, const std::filesystem::path& path) {
+  root.only({"name", "length_unit", "force_unit", "planar", "anchors", "pinned", "rod", "design"});
+  Scene scene;
+  scene.name = root.text("name").value_or(path.stem().string());
+  scene.length_unit = root.one_of("length_unit", length_units).value_or(scene.length_unit);
+  scene.force_unit = root.one_of("force_unit", force_units).value_or(scene.force_unit);
+  scene.planar = root.boolean("planar").value_or(scene.planar);
+  scene.anchors = root.points("anchors").value_or(scene.anchors);
+  read_rods(root, path.parent_path(), scene);
+  for (const TomlTable& pin : root.tables("pinned")) scene.pinned.push_back(read_pin(pin, scene));
+  if (const auto design = root.table("design")) read_design(*design, scene);
+  check_vertices(scene.rods, path.string());
+  if (scene.planar) check_plane(scene, root.where("planar"));
+  return scene;
+}
+
+}  // namespace
+
+core::Expected<Scene> read_scene(const std::filesystem::path& path) {
+  return guarded([&] {
+    const std::string text = value_or_fail(read_file(path));
+    const toml::table content = TomlTable::parse(text, path.string());
+    return parse_scene(TomlTable(content, path.string()), path);
+  });
+}
+
+core::Expected<Scene> scene_of_curves(std::vector<Polyline> curves,
+                                      const std::filesystem::path& source) {
+  return guarded([&] {
+    Scene scene;
+    scene.name = source.stem().string();
+    for (Polyline& curve : curves) {
+      SceneRod rod;
+      rod.weights = Eigen::VectorXd::Ones(curve.vertices());
+      rod.target = std::move(curve);
+      rod.source = source.string();
+      scene.rods.push_back(std::move(rod));
+    }
+    if (scene.rods.empty()) fail(source.string(), "holds no curves");
+    check_vertices(scene.rods, source.string());
+    const Section section =
+        circular_section(default_radius(scene.rods),
+                         glass_fibre_modulus(scene.length_unit, scene.force_unit), default_poisson);
+    for (SceneRod& rod : scene.rods) rod.section = section;
+    return scene;
+  });
+}
+
+}  // namespace tencer::io

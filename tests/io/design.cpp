@@ -1,0 +1,328 @@
+#include <bit>
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <random>
+#include <tencer/io/design.hpp>
+
+#include "folder.hpp"
+
+using namespace tencer::io;
+
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+// A closed rod of 4 vertices, an open one of 3, two anchors, one cable of each kind; numbers whose
+// digits need the full precision.
+Design sample() {
+  Design design;
+  design.name = "two \"rods\"";
+  design.status = DesignStatus::tolerance_not_reached;
+  design.length_unit = "mm";
+  std::mt19937_64 random(17);
+  std::uniform_real_distribution<double> uniform(0.1, 1.0);
+  const auto number = [&] { return uniform(random); };
+  for (const bool closed : {true, false}) {
+    const int n = closed ? 4 : 3;
+    design.rods.push_back({.closed = closed,
+                           .EA = 1e7 * number(),
+                           .EI = {number(), number()},
+                           .GJ = 1e-300 * number(),
+                           .rest_lengths = Eigen::VectorXd::NullaryExpr(closed ? n : n - 1, number),
+                           .target = Eigen::Matrix3Xd::NullaryExpr(3, n, number),
+                           .pose = Eigen::Matrix3Xd::NullaryExpr(3, n, number)});
+  }
+  design.rods[0].pose(0, 0) = -0.0;
+  design.anchors = Eigen::Matrix3Xd::NullaryExpr(3, 2, number);
+  design.pinned = {{0, 3, {true, false, true}}, {1, 0, {true, true, true}}};
+  design.cables.push_back({.a = {.rod = 0, .s = design.rods[0].length()},
+                           .b = {.rod = 1, .s = 0.0},
+                           .length = number(),
+                           .tension = number()});
+  design.cables.push_back({.a = {.rod = 1, .s = number() / 10},
+                           .b = {.anchor = 1},
+                           .length = number(),
+                           .tension = -number(),
+                           .stiffness = number(),
+                           .rest_length = 0.0});
+  design.error = DesignError{number(), number()};
+  design.certificate = Certificate{1e-12 * number(), -number(), "N/mm", 1, false};
+  design.trace = {{"prune", number(), 87, no_number, no_number, 3, 40, "a, b"},
+                  {"greedy", number(), 51, number(), number(), 5, 60, ""}};
+  return design;
+}
+
+template <class A, class B>
+void check_bits(const A& a, const B& b) {
+  REQUIRE(a.size() == b.size());
+  for (Eigen::Index i = 0; i < a.size(); ++i)
+    CHECK(std::bit_cast<std::uint64_t>(a.data()[i]) == std::bit_cast<std::uint64_t>(b.data()[i]));
+}
+
+void check_end(const CableEnd& a, const CableEnd& b) {
+  CHECK(a.rod == b.rod);
+  CHECK(a.s == b.s);
+  CHECK(a.anchor == b.anchor);
+}
+
+}  // namespace
+
+TEST_CASE("a design is read back to the last bit") {
+  const Folder folder;
+  const Design design = sample();
+  REQUIRE_FALSE(write_design(folder / "design.json", design));
+  const auto read = read_design(folder / "design.json");
+  if (!read) FAIL(read.error().text());
+  CHECK(read->name == design.name);
+  CHECK(read->status == design.status);
+  CHECK(read->length_unit == "mm");
+  CHECK(read->force_unit == "N");
+  REQUIRE(read->rods.size() == 2);
+  for (int i = 0; i < 2; ++i) {
+    const DesignRod &a = read->rods[i], &b = design.rods[i];
+    CHECK(a.closed == b.closed);
+    CHECK(a.EA == b.EA);
+    CHECK(a.EI == b.EI);
+    CHECK(a.GJ == b.GJ);
+    check_bits(a.rest_lengths, b.rest_lengths);
+    check_bits(a.target, b.target);
+    check_bits(a.pose, b.pose);
+  }
+  check_bits(read->anchors, design.anchors);
+  REQUIRE(read->pinned.size() == 2);
+  CHECK(read->pinned[0].rod == 0);
+  CHECK(read->pinned[0].vertex == 3);
+  CHECK(read->pinned[0].axes == std::array{true, false, true});
+  REQUIRE(read->cables.size() == 2);
+  for (int i = 0; i < 2; ++i) {
+    const DesignCable &a = read->cables[i], &b = design.cables[i];
+    check_end(a.a, b.a);
+    check_end(a.b, b.b);
+    CHECK(a.length == b.length);
+    CHECK(a.tension == b.tension);
+    CHECK(a.stiffness == b.stiffness);
+    CHECK(a.rest_length == b.rest_length);
+  }
+  CHECK(read->error->max_percent == design.error->max_percent);
+  CHECK(read->error->rms_percent == design.error->rms_percent);
+  CHECK(read->certificate->residual == design.certificate->residual);
+  CHECK(read->certificate->smallest_eigenvalue == design.certificate->smallest_eigenvalue);
+  CHECK(read->certificate->eigenvalue_unit == "N/mm");
+  CHECK(read->certificate->slack_cables == 1);
+  CHECK_FALSE(read->certificate->stable);
+  REQUIRE(read->trace.size() == 2);
+  CHECK(std::isnan(read->trace[0].max_percent));
+  CHECK(read->trace[0].note == "a, b");
+  CHECK(read->trace[1].rms_percent == design.trace[1].rms_percent);
+  CHECK(read->trace[1].newton_iterations == 60);
+
+  // The same value gives the same bytes.
+  REQUIRE_FALSE(write_design(folder / "again.json", *read));
+  CHECK(folder.text("again.json") == folder.text("design.json"));
+}
+
+TEST_CASE("the file has the fields other programs rely on, in their order") {
+  const Folder folder;
+  Design design;
+  design.rods.push_back({.closed = false,
+                         .EA = 2,
+                         .EI = {1, 0.5},
+                         .GJ = 0.25,
+                         .rest_lengths = Eigen::VectorXd::Constant(1, 3.5),
+                         .target = Eigen::Matrix3Xd::Identity(3, 2),
+                         .pose = Eigen::Matrix3Xd::Identity(3, 2)});
+  design.anchors = Eigen::Vector3d(1, 2, 3);
+  design.pinned = {{0, 1, {false, false, true}}};
+  design.cables.push_back(
+      {.a = {.rod = 0, .s = 0.5}, .b = {.anchor = 0}, .length = 2, .tension = 4});
+  design.error = DesignError{1, 0.5};
+  design.certificate = Certificate{1e-10, 0.125, "N/cm", 0, true};
+  design.trace = {{"slide", 0.5, 1, 1, 0.5, 2, 7, ""}};
+  REQUIRE_FALSE(write_design(folder / "design.json", design));
+  CHECK(folder.text("design.json") == R"({
+ "schema": "tencer-design/1",
+ "name": "",
+ "status": "complete",
+ "length_unit": "cm",
+ "force_unit": "N",
+ "rods": [
+  {
+   "closed": false,
+   "EA": 2.0,
+   "EI": [1.0,0.5],
+   "GJ": 0.25,
+   "rest_lengths": [3.5],
+   "target": [
+    [1.0,0.0,0.0],
+    [0.0,1.0,0.0]
+   ],
+   "pose": [
+    [1.0,0.0,0.0],
+    [0.0,1.0,0.0]
+   ]
+  }
+ ],
+ "anchors": [
+  [1.0,2.0,3.0]
+ ],
+ "pinned": [
+  {"rod":0,"vertex":1,"axes":"z"}
+ ],
+ "cables": [
+  {"a":{"rod":0,"s":0.5},"b":{"anchor":0},"length":2.0,"tension":4.0}
+ ],
+ "error": {"max_percent":1.0,"rms_percent":0.5},
+ "certificate": {
+  "residual": 1e-10,
+  "smallest_eigenvalue": 0.125,
+  "eigenvalue_unit": "N/cm",
+  "slack_cables": 0,
+  "stable": true
+ },
+ "trace": [
+  {
+   "stage": "slide",
+   "seconds": 0.5,
+   "cables": 1,
+   "max_percent": 1.0,
+   "rms_percent": 0.5,
+   "equilibrium_solves": 2,
+   "newton_iterations": 7,
+   "note": ""
+  }
+ ]
+}
+)");
+}
+
+TEST_CASE("a design by another program needs the essentials only and may have keys of its own") {
+  const Folder folder;
+  const auto read = read_design(folder.put(
+      "design.json", R"({"schema": "tencer-design/1", "length_unit": "m", "force_unit": "kN",
+        "made_by": {"program": "x"}, "cables": [],
+        "rods": [{"closed": false, "EA": 1, "EI": [1, 1], "GJ": 1, "colour": "red",
+                  "rest_lengths": [1], "target": [[0,0,0],[1,0,0]], "pose": [[0,0,0],[1,0,0]]}]})"));
+  if (!read) FAIL(read.error().text());
+  CHECK(read->status == DesignStatus::complete);
+  CHECK_FALSE(read->certificate);
+  CHECK_FALSE(read->error);
+  CHECK(read->anchors.cols() == 0);
+}
+
+TEST_CASE("bad designs are refused by the writer, and the old file stays") {
+  struct Case {
+    std::function<void(Design&)> spoil;
+    const char* error;
+  };
+  const Case cases[] = {
+      {[](Design& d) { d.rods.clear(); }, "rods: expected at least one rod"},
+      {[](Design& d) { d.rods[0].EA = 0; }, "rods[0].EA: expected a positive number, found 0.0"},
+      {[](Design& d) { d.rods[1].EI[1] = -2; },
+       "rods[1].EI[1]: expected a positive number, found -2.0"},
+      {[](Design& d) { d.rods[1].GJ = no_number; },
+       "rods[1].GJ: expected a finite number, found null"},
+      {[](Design& d) { d.rods[1].rest_lengths.conservativeResize(1); },
+       "rods[1].rest_lengths: expected 2 numbers, found 1"},
+      {[](Design& d) { d.rods[0].rest_lengths[2] = 0; },
+       "rods[0].rest_lengths[2]: expected a positive number, found 0.0"},
+      {[](Design& d) { d.rods[0].pose.conservativeResize(3, 3); },
+       "rods[0].pose: expected 4 points, as in target, found 3"},
+      {[](Design& d) { d.rods[0].target.conservativeResize(3, 2); },
+       "rods[0].target: expected at least 3 points, found 2"},
+      {[](Design& d) { d.rods[0].pose(1, 2) = 1 / 0.0; },
+       "rods[0].pose[2][1]: expected a finite number, found null"},
+      {[](Design& d) { d.anchors(0, 1) = no_number; },
+       "anchors[1][0]: expected a finite number, found null"},
+      {[](Design& d) { d.pinned[1].vertex = 3; },
+       "pinned[1].vertex: there is no vertex 3; use 0 to 2"},
+      {[](Design& d) { d.pinned[0].rod = -1; },
+       "pinned[0].rod: expected a whole number from 0, found -1"},
+      {[](Design& d) {
+         d.pinned[0].axes = {false, false, false};
+       },
+       "pinned[0].axes: expected letters of \"xyz\", found none"},
+      {[](Design& d) { d.cables[0].a.rod = 2; }, "cables[0].a.rod: there is no rod 2; use 0 to 1"},
+      {[](Design& d) { d.cables[1].b.anchor = 2; },
+       "cables[1].b.anchor: there is no anchor 2; use 0 to 1"},
+      {[](Design& d) { d.cables[1].b.rod = 0; },
+       "cables[1].b: expected {\"rod\", \"s\"} or {\"anchor\"}"},
+      {[](Design& d) { d.cables[0].b.s = -1e-9; },
+       "cables[0].b.s: expected a number that is not negative, found -1e-09"},
+      {[](Design& d) {
+         d.rods[1].rest_lengths << 1, 2;
+         d.cables[0].b.s = 3.0001;
+       },
+       "cables[0].b.s: expected an arc length from 0 to 3, found 3.0001"},
+      {[](Design& d) { d.cables[1].a = {.anchor = 0}; },
+       "cables[1]: a cable from anchor to anchor holds no rod"},
+      {[](Design& d) { d.cables[0].length = 0; },
+       "cables[0].length: expected a positive number, found 0.0"},
+      {[](Design& d) { d.cables[0].tension = no_number; },
+       "cables[0].tension: expected a finite number, found null"},
+      {[](Design& d) { d.cables[1].stiffness = -1; },
+       "cables[1].stiffness: expected a positive number, found -1.0"},
+      {[](Design& d) { d.cables[1].rest_length.reset(); },
+       "cables[1]: stiffness and rest_length belong together: give both or neither"},
+      {[](Design& d) { d.error->max_percent = no_number; },
+       "error.max_percent: expected a finite number, found null"},
+      {[](Design& d) { d.certificate->smallest_eigenvalue = no_number; },
+       "certificate.smallest_eigenvalue: expected a finite number, found null"},
+      {[](Design& d) { d.certificate->slack_cables = -1; },
+       "certificate.slack_cables: expected a whole number from 0, found -1"},
+      {[](Design& d) { d.trace[0].seconds = -1; },
+       "trace[0].seconds: expected a number that is not negative, found -1.0"},
+  };
+  const Folder folder;
+  folder.put("design.json", "old");
+  for (const Case& bad : cases) {
+    CAPTURE(bad.error);
+    Design design = sample();
+    bad.spoil(design);
+    const auto error = write_design(folder / "design.json", design);
+    REQUIRE(error);
+    CHECK(folder.local(error->text()) == std::string("design.json: ") + bad.error);
+  }
+  CHECK(folder.text("design.json") == "old");
+  CHECK(folder.files() == 1);
+}
+
+TEST_CASE("bad design files are refused with their key or line") {
+  const Folder folder;
+  const std::string rods =
+      R"("rods": [{"closed": true, "EA": 1, "EI": 1, "GJ": 1, "rest_lengths": [], "target": [],
+         "pose": []}])";
+  const std::string head = R"("schema": "tencer-design/1", "length_unit": "cm", "force_unit": "N")";
+  struct Case {
+    std::string text;
+    const char* error;
+  };
+  const Case cases[] = {
+      {"",
+       "design.json:1: is not valid JSON: syntax error while parsing value - unexpected end of "
+       "input; expected '[', '{', or a literal"},
+      {"{\n\"schema\": \"tencer-design/1\",\n\"rods\": [}\n",
+       "design.json:3: is not valid JSON: syntax error while parsing value - unexpected '}'; "
+       "expected '[', '{', or a literal"},
+      {"[]", "design.json: is not a design: expected an object"},
+      {"{}", "design.json: the key \"schema\" is missing"},
+      {R"({"schema": "tencer-design/2"})",
+       "design.json: schema: expected \"tencer-design/1\", found \"tencer-design/2\""},
+      {R"({"schema": 1})", "design.json: schema: expected a text, found 1"},
+      {"{" + head + "}", "design.json: the key \"rods\" is missing"},
+      {"{" + head + R"(, "status": "done"})",
+       "design.json: status: expected \"complete\", \"tolerance-not-reached\" or \"interrupted\", "
+       "found \"done\""},
+      {"{" + head + "," + rods + "}", "design.json: rods[0].EI: expected an array, found 1"},
+      {"{" + head + R"(, "rods": [3]})", "design.json: rods[0]: expected an object, found 3"},
+  };
+  for (const Case& bad : cases) {
+    CAPTURE(bad.text);
+    const auto design = read_design(folder.put("design.json", bad.text));
+    REQUIRE_FALSE(design);
+    CHECK(folder.local(design.error().text()) == bad.error);
+  }
+  CHECK(folder.local(read_design(folder / "none.json").error().text()) ==
+        "none.json: there is no such file");
+}

@@ -1,0 +1,356 @@
+#include <catch2/catch.hpp>
+#include <numbers>
+#include <tencer/geometry/curves.hpp>
+#include <tencer/io/curve.hpp>
+#include <tencer/io/scene.hpp>
+
+#include "folder.hpp"
+
+using namespace tencer::io;
+namespace geometry = tencer::geometry;
+using std::numbers::pi;
+
+namespace {
+
+// A folder with curve files: a closed square, an open bent line, and both in one.
+struct Curves : Folder {
+  Curves() {
+    put("ring.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nl 1 2 3 4 1\n");
+    put("line.csv", "9,0,0\n10,0,0\n11,1,0\n");
+    put("both.obj",
+        "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nl 1 2 3 4 1\nv 9 0 0\nv 10 0 0\nv 11 1 0\nl 5 6 7\n");
+    put("spoilt.obj", "v 0 0 0\nv 1 0 x\n");
+    put("tall.csv", "0,0,0\n1,0,0\n2,1,1\n");
+    put("eight.csv", "0,0,0\n1,1,0\n2,0,0\n1,-1,0\n0,0,1\n-1,-1,0\n0,0,0\n1,1,1\n");
+  }
+  Scene scene(std::string_view text) const {
+    const auto found = read_scene(put("s.toml", text));
+    if (!found) FAIL(found.error().text());
+    return *found;
+  }
+  std::string error(std::string_view text) const {
+    const auto found = read_scene(put("s.toml", text));
+    return found ? "no error" : local(found.error().text());
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a scene of one line has defaults for all else") {
+  const Curves folder;
+  const Scene scene = folder.scene("rod = [{curve = 'ring.obj'}]");
+  CHECK(scene.name == "s");
+  CHECK(scene.length_unit == "cm");
+  CHECK(scene.force_unit == "N");
+  REQUIRE(scene.rods.size() == 1);
+  CHECK(scene.rods[0].target.closed);
+  CHECK(scene.rods[0].target.vertices() == 4);
+  CHECK(scene.rods[0].weights == Eigen::VectorXd::Ones(4));
+  CHECK(scene.rods[0].section.EA == Approx(4e6 * pi * 0.016 * 0.016));
+  CHECK(scene.rods[0].section.EI[0] == Approx(4e6 * pi * std::pow(0.016, 4) / 4));
+  CHECK(scene.rods[0].section.EI[1] == scene.rods[0].section.EI[0]);
+  CHECK(scene.rods[0].section.GJ == Approx(scene.rods[0].section.EI[0] / 1.3));
+  CHECK(scene.rods[0].source == (folder / "s.toml:1").string());
+  CHECK(scene.anchors.cols() == 0);
+  CHECK(scene.pinned.empty());
+  CHECK_FALSE(scene.planar);
+  CHECK(scene.design.method == "dense-springs");
+  CHECK(scene.design.optimizer == "ipopt");
+  CHECK(scene.design.hessian == "limited-memory");
+  CHECK(scene.design.max_error == 1.0);
+  CHECK_FALSE(scene.design.rod_pairs);
+  CHECK_FALSE(scene.design.longest_cable);
+  CHECK(scene.design.external);
+  CHECK(scene.design.sparsity_weights.front() == 0);
+  CHECK(scene.design.spring_stiffness == 100);
+  CHECK(scene.design.greedy_threshold == 5e-6);
+}
+
+TEST_CASE("a bare curve makes the same scene as a scene that only names it") {
+  const Curves folder;
+  const Scene named = folder.scene("name = 'both'\n[[rod]]\ncurve = 'both.obj'\n");
+  const auto bare = scene_of_curves(read_curves(folder / "both.obj").value(), folder / "both.obj");
+  REQUIRE(bare);
+  CHECK(bare->name == "both");
+  REQUIRE(bare->rods.size() == 2);
+  for (int i = 0; i < 2; ++i) {
+    CHECK(bare->rods[i].target.points == named.rods[i].target.points);
+    CHECK(bare->rods[i].target.closed == named.rods[i].target.closed);
+    CHECK(bare->rods[i].section.EA == named.rods[i].section.EA);
+    CHECK(bare->rods[i].section.EI == named.rods[i].section.EI);
+    CHECK(bare->rods[i].section.GJ == named.rods[i].section.GJ);
+    CHECK(bare->rods[i].weights == named.rods[i].weights);
+  }
+  // All rods are of one stock: the longest rod sets the radius.
+  CHECK(bare->rods[0].section.EA == bare->rods[1].section.EA);
+  CHECK(folder.local(scene_of_curves({}, folder / "x.obj").error().text()) ==
+        "x.obj: holds no curves");
+}
+
+TEST_CASE("everything a scene can say is read") {
+  const Curves folder;
+  const Scene scene = folder.scene(R"(
+name = "all"
+length_unit = "mm"
+force_unit = "kN"
+planar = true
+anchors = [[20, 0, 0], [0, 20.5, 0]]
+pinned = [{rod = 1, vertex = 2}, {rod = 0, vertex = 0, axes = "xz"}]
+
+[[rod]]
+curve = "both.obj"
+closed = true
+index = 0
+vertices = 8
+section = {shape = "circle", radius = 0.5, youngs_modulus = 40, poisson = 0.25}
+
+[[rod]]
+curve = "both.obj"
+index = 1
+closed = false
+section = {EA = 3, EI = [2, 1], GJ = 0.5}
+
+[[rod]]
+family = "circle"
+parameters = {radius = 1}
+vertices = 6
+section = {EA = 3, EI = 2, GJ = 0.5}
+
+[design]
+method = "dense-springs"
+optimizer = "ipopt"
+hessian = "exact"
+max_error = 0.5
+rod_pairs = [[1, 0], [2, 2]]
+external = false
+longest_cable = 7
+sparsity_weights = [0, 0.5]
+spring_stiffness = 10
+greedy_threshold = 1e-5
+weights = [{rod = 0, weight = 2}, {rod = 0, from = 14, to = 2, weight = 0}]
+forbidden_arcs = [{rod = 1, from = 0, to = 1}, {rod = 0, from = 15, to = 1}]
+forbidden_vertices = [{rod = 1, vertices = [2, 0]}]
+)");
+  CHECK(scene.name == "all");
+  CHECK(scene.length_unit == "mm");
+  CHECK(scene.force_unit == "kN");
+  CHECK(scene.planar);
+  REQUIRE(scene.anchors.cols() == 2);
+  CHECK(scene.anchors.col(1) == Eigen::Vector3d(0, 20.5, 0));
+  REQUIRE(scene.pinned.size() == 2);
+  CHECK(scene.pinned[0].vertex == 2);
+  CHECK(scene.pinned[0].axes == std::array{true, true, true});
+  CHECK(scene.pinned[1].axes == std::array{true, false, true});
+  REQUIRE(scene.rods.size() == 3);
+  const SceneRod& ring = scene.rods[0];
+  CHECK(ring.target.vertices() == 8);
+  CHECK(ring.target.points.col(1) == Eigen::Vector3d(2, 0, 0));
+  CHECK(ring.section.EA == Approx(40 * pi * 0.25));
+  CHECK(ring.section.GJ == Approx(16 * pi * std::pow(0.5, 4) / 2));
+  CHECK(scene.rods[1].section.EI == Eigen::Vector2d(2, 1));
+  CHECK(scene.rods[2].section.EI == Eigen::Vector2d(2, 2));
+  CHECK(scene.rods[2].target.vertices() == 6);
+  CHECK(scene.rods[2].target.points.col(3).isApprox(Eigen::Vector3d(-1, 0, 0), 1e-8));
+  const DesignSettings& design = scene.design;
+  CHECK(design.hessian == "exact");
+  CHECK(design.max_error == 0.5);
+  CHECK(*design.rod_pairs == std::vector<std::array<int, 2>>{{0, 1}, {2, 2}});
+  CHECK_FALSE(design.external);
+  CHECK(*design.longest_cable == 7);
+  CHECK(design.sparsity_weights == std::vector<double>{0, 0.5});
+  CHECK(design.spring_stiffness == 10);
+  CHECK(design.greedy_threshold == 1e-5);
+  // Vertices every 2 along 16; the arc goes through the seam.
+  Eigen::VectorXd weights(8);
+  weights << 0, 0, 2, 2, 2, 2, 2, 0;
+  CHECK(ring.weights == weights);
+  REQUIRE(ring.forbidden_arcs.size() == 1);
+  CHECK(ring.forbidden_arcs[0].from == 15);
+  CHECK(scene.rods[1].forbidden_arcs[0].to == 1);
+  CHECK(scene.rods[1].forbidden_vertices == std::vector{2, 0});
+}
+
+TEST_CASE("families in a scene are those of geometry") {
+  const Curves folder;
+  const Scene knot = folder.scene("rod = [{family = 'torus-knot', parameters = {p = 2, q = 3}}]");
+  CHECK(knot.rods[0].target.points == geometry::torus_knot(2, 3, 13.5, 5.4, 201).points);
+  const Scene rings = folder.scene("rod = [{family = 'borromean-ellipses', vertices = 20}]");
+  REQUIRE(rings.rods.size() == 3);
+  CHECK(rings.rods[2].target.points == geometry::borromean_ellipses(6.5, 5, 20)[2].points);
+  const Scene second = folder.scene("rod = [{family = 'twin-trefoils', index = 1}]");
+  REQUIRE(second.rods.size() == 1);
+  CHECK(second.rods[0].target.points == geometry::twin_trefoils(27, 10.8, 102)[1].points);
+}
+
+TEST_CASE("glass fibre is 40 GPa in every unit") {
+  // 40 GPa = 40e9 N/m^2 = 4e6 N/cm^2 = 4e4 N/mm^2
+  CHECK(glass_fibre_modulus("m", "N") == Approx(40e9).epsilon(1e-14));
+  CHECK(glass_fibre_modulus("cm", "N") == Approx(4e6).epsilon(1e-14));
+  CHECK(glass_fibre_modulus("mm", "N") == Approx(4e4).epsilon(1e-14));
+  CHECK(glass_fibre_modulus("mm", "kN") == Approx(40).epsilon(1e-14));
+  CHECK(glass_fibre_modulus("cm", "mN") == Approx(4e9).epsilon(1e-14));
+  CHECK_THROWS_AS(glass_fibre_modulus("inch", "N"), std::invalid_argument);
+}
+
+TEST_CASE("bad scenes are refused with line, key and remedy") {
+  const Curves folder;
+  struct Case {
+    std::string text;
+    const char* error;
+  };
+  const std::string ring = "[[rod]]\ncurve = 'ring.obj'\n";  // lines 1, 2
+  const std::string line = "[[rod]]\ncurve = 'line.csv'\n";  // lines 1, 2
+  const std::string design = ring + "[design]\n";            // line 3
+  const Case cases[] = {
+      {"", "s.toml:1: a scene needs at least one [[rod]] table"},
+      {"name = 'x'\nrod = [}\n",
+       "s.toml:2: is not valid TOML: Error while parsing value: could not determine value type"},
+      {"name = 3\n" + ring, "s.toml:1: name: expected a text, found 3"},
+      {"\nlenght_unit = 'cm'\n" + ring,
+       "s.toml:2: unknown key lenght_unit; did you mean length_unit?"},
+      {"length_unit = 'inch'\n" + ring,
+       "s.toml:1: length_unit: expected one of mm, cm, m, found \"inch\""},
+      {"planar = 1\n" + ring, "s.toml:1: planar: expected true or false, found 1"},
+      {"rod = 3", "s.toml:1: rod: expected an array of tables, found 3"},
+      {"rod = [3]", "s.toml:1: rod[0]: expected a table, found 3"},
+      {"[[rod]]\n", "s.toml:1: a rod needs either curve = \"FILE\" or family = \"NAME\""},
+      {ring + "family = 'circle'\n",
+       "s.toml:1: a rod needs either curve = \"FILE\" or family = \"NAME\""},
+      {ring + "parameters = {}\n", "s.toml:3: rod[0].parameters: belongs to family, not to curve"},
+      {ring + "radius = 1\n",
+       "s.toml:3: unknown key rod[0].radius; known here: curve, index, family, parameters, "
+       "vertices, closed, section"},
+      {"[[rod]]\ncurve = 'none.obj'\n", "s.toml:2: rod[0].curve: there is no file none.obj"},
+      {"[[rod]]\ncurve = 'spoilt.obj'\n", "spoilt.obj:2: 'x' is not a number"},
+      {ring + "index = 1\n", "s.toml:3: rod[0].index: there is no curve 1; use 0"},
+      {"[[rod]]\ncurve = 'both.obj'\nindex = 2\n",
+       "s.toml:3: rod[0].index: there is no curve 2; use 0 to 1"},
+      {ring + "closed = false\n",
+       "s.toml:3: rod[0].closed: is false, but the curve is closed: its end meets its start; "
+       "remove "
+       "the key or open the curve"},
+      {line + "closed = true\n",
+       "s.toml:3: rod[0].closed: is true, but the curve is open: its last point does not repeat "
+       "its "
+       "first; remove the key or close the curve"},
+      {ring + "vertices = 2\n",
+       "s.toml:3: rod[0].vertices: expected a whole number from 3, found 2"},
+      {ring + "vertices = 10.5\n",
+       "s.toml:3: rod[0].vertices: expected a whole number, found 10.5"},
+      {"[[rod]]\nfamily = 'torusknot'\n",
+       "s.toml:2: rod[0].family: expected one of circle, ellipse, helix, torus-knot, "
+       "trefoil-hypotrochoid, trefoil-2-3, trefoil-3-2, twin-trefoils, borromean-ellipses, found "
+       "\"torusknot\""},
+      {"[[rod]]\nfamily = 'torus-knot'\nparameters = {p = 4, q = 2}\n",
+       "s.toml:3: rod[0].parameters: p and q must have no common divisor, or the curve is traced "
+       "several times"},
+      {"[[rod]]\nfamily = 'helix'\nparameters = {turn = 4}\n",
+       "s.toml:3: unknown key rod[0].parameters.turn; did you mean turns?"},
+      {ring + "section = {radius = 0}\n",
+       "s.toml:3: rod[0].section.radius: expected a positive number, found 0"},
+      {ring + "section = {radius = nan}\n",
+       "s.toml:3: rod[0].section.radius: expected a finite number, found nan"},
+      {ring + "section = {youngs_modulus = -1}\n",
+       "s.toml:3: rod[0].section.youngs_modulus: expected a positive number, found -1"},
+      {ring + "section = {poisson = 0.6}\n",
+       "s.toml:3: rod[0].section.poisson: expected a number above -1, at most 0.5"},
+      {ring + "section = {shape = 'square'}\n",
+       "s.toml:3: rod[0].section.shape: expected one of circle, found \"square\""},
+      {ring + "section = {EA = 1, GJ = 1}\n", "s.toml:3: the key rod[0].section.EI is missing"},
+      {ring + "section = {EA = 1, EI = 0, GJ = 1}\n",
+       "s.toml:3: rod[0].section.EI: expected a positive number, found 0"},
+      {ring + "section = {EA = 1, EI = [1, -1], GJ = 1}\n",
+       "s.toml:3: rod[0].section.EI: expected a positive number, or two of them [a, b]"},
+      {ring + "section = {EA = 1, EI = 1, GJ = 1, radius = 1}\n",
+       "s.toml:3: unknown key rod[0].section.radius; known here: EA, EI, GJ"},
+      {ring + "section = {young = 1}\n",
+       "s.toml:3: unknown key rod[0].section.young; known here: shape, radius, youngs_modulus, "
+       "poisson, EA, EI, GJ"},
+      {"anchors = [[0, 0, 0], [1, 0]]\n" + ring,
+       "s.toml:1: anchors[1]: expected a point [x, y, z], found an array of 2"},
+      {"anchors = [[0, 0, inf]]\n" + ring,
+       "s.toml:1: anchors[0][2]: expected a finite number, found inf"},
+      {"anchors = [[0, 0, 'a']]\n" + ring,
+       "s.toml:1: anchors[0][2]: expected a number, found \"a\""},
+      {"anchors = 3\n" + ring, "s.toml:1: anchors: expected an array of points [x, y, z], found 3"},
+      {"pinned = [{rod = 1, vertex = 0}]\n" + ring,
+       "s.toml:1: pinned[0].rod: there is no rod 1; use 0"},
+      {"pinned = [{rod = 0, vertex = 4}]\n" + ring,
+       "s.toml:1: pinned[0].vertex: there is no vertex 4; use 0 to 3"},
+      {"pinned = [{rod = 0, vertex = -1}]\n" + ring,
+       "s.toml:1: pinned[0].vertex: expected a whole number from 0, found -1"},
+      {"pinned = [{rod = 0, vertex = 0, axes = 'w'}]\n" + ring,
+       "s.toml:1: pinned[0].axes: expected letters of \"xyz\", found \"w\""},
+      {"pinned = [{vertex = 0}]\n" + ring, "s.toml:1: the key pinned[0].rod is missing"},
+      {"planar = true\n[[rod]]\ncurve = 'tall.csv'\n",
+       "s.toml:1: planar: all z coordinates must be the same, but vertex 0 of rod 0 has z = 0 and "
+       "vertex 2 of rod 0 has z = 1"},
+      {"planar = true\nanchors = [[0, 0, 1]]\n" + ring,
+       "s.toml:1: planar: all z coordinates must be the same, but the rods have z = 0 and anchor 0 "
+       "has z = 1"},
+      {"[[rod]]\ncurve = 'eight.csv'\n",
+       "s.toml: the rod crosses itself: vertex 0 of rod 0 and vertex 6 of rod 0 are the same "
+       "point, "
+       "and a cable between them has no length; move the curves apart there"},
+      {ring + "[[rod]]\nfamily = 'circle'\nparameters = {radius = 4}\nvertices = 8\n",
+       "s.toml: two rods cross: vertex 1 of rod 0 and vertex 0 of rod 1 are the same point, and a "
+       "cable between them has no length; move the curves apart there"},
+      {ring + "[desing]\n", "s.toml:3: unknown key desing; did you mean design?"},
+      {"design = 3\n" + ring, "s.toml:1: design: expected a table, found 3"},
+      {design + "max_eror = 1\n", "s.toml:4: unknown key design.max_eror; did you mean max_error?"},
+      {design + "max_error = -1\n",
+       "s.toml:4: design.max_error: expected a positive number, found -1"},
+      {design + "max_error = '1 %'\n",
+       "s.toml:4: design.max_error: expected a number, found \"1 %\""},
+      {design + "max_error = true\n", "s.toml:4: design.max_error: expected a number, found true"},
+      {design + "method = 'magic'\n",
+       "s.toml:4: design.method: expected one of dense-springs, found \"magic\""},
+      {design + "optimizer = 'knitro'\n",
+       "s.toml:4: design.optimizer: expected one of ipopt, mma, ccsaq, found \"knitro\""},
+      {design + "optimizer = 'mma'\nhessian = 'exact'\n",
+       "s.toml:5: design.hessian: belongs to the optimizer ipopt; mma uses gradients only"},
+      {design + "rod_pairs = [[0, 1]]\n", "s.toml:4: design.rod_pairs: there is no rod 1; use 0"},
+      {design + "rod_pairs = [[0]]\n",
+       "s.toml:4: design.rod_pairs: expected pairs [a, b], found an array of 1"},
+      {design + "rod_pairs = [0, 0]\n",
+       "s.toml:4: design.rod_pairs[0]: expected an array of whole numbers, found 0"},
+      {design + "rod_pairs = []\n",
+       "s.toml:4: design.rod_pairs: is empty and there are no cables to anchors, so no cable is "
+       "left; "
+       "name a pair of rods, such as [0, 0] for cables within rod 0"},
+      {design + "external = true\n",
+       "s.toml:4: design.external: is true, but the scene has no anchors; add anchors = [[x, y, "
+       "z], "
+       "...]"},
+      {design + "longest_cable = 0\n",
+       "s.toml:4: design.longest_cable: expected a positive number, found 0"},
+      {design + "sparsity_weights = [0, 10, 1]\n",
+       "s.toml:4: design.sparsity_weights: expected increasing numbers that are not negative"},
+      {design + "sparsity_weights = []\n",
+       "s.toml:4: design.sparsity_weights: expected increasing numbers that are not negative"},
+      {design + "spring_stiffness = 0\n",
+       "s.toml:4: design.spring_stiffness: expected a positive number, found 0"},
+      {design + "weights = [{rod = 0, weight = -1}]\n",
+       "s.toml:4: design.weights[0].weight: expected a number that is not negative, found -1"},
+      {design + "weights = [{rod = 0, weight = 0}]\n",
+       "s.toml:4: design.weights: all vertices have weight 0; leave some to be matched"},
+      {design + "weights = [{rod = 0, from = 1, weight = 0}]\n",
+       "s.toml:4: the key design.weights[0].to is missing"},
+      {design + "forbidden_arcs = [{rod = 0, from = 0, to = 17}]\n",
+       "s.toml:4: design.forbidden_arcs[0].to: expected an arc length from 0 to 16"},
+      {line + "[design]\nforbidden_arcs = [{rod = 0, from = 1, to = 0.5}]\n",
+       "s.toml:4: design.forbidden_arcs[0].from: must not be larger than to on an open rod"},
+      {design + "forbidden_vertices = [{rod = 0, vertices = [4]}]\n",
+       "s.toml:4: design.forbidden_vertices[0].vertices: there is no vertex 4; use 0 to 3"},
+      {design + "forbidden_vertices = [{rod = 0, vertex = 1}]\n",
+       "s.toml:4: unknown key design.forbidden_vertices[0].vertex; did you mean vertices?"},
+      {design + "spring_stiffness = 1e101\n",
+       "s.toml:4: design.spring_stiffness: expected a number of at most 1e100, found 1e+101"},
+  };
+  for (const Case& bad : cases) {
+    CAPTURE(bad.text);
+    CHECK(folder.error(bad.text) == bad.error);
+  }
+  CHECK(folder.local(read_scene(folder / "none.toml").error().text()) ==
+        "none.toml: there is no such file");
+}
