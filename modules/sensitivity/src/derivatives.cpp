@@ -30,6 +30,12 @@ LeastSquares least_squares(const Distance& distance, const Eigen::MatrixXd& stat
   return {.residual = distance.residual(), .jacobian = distance.residual_rates(state_derivatives)};
 }
 
+Eigen::MatrixXd LeastSquares::gauss_newton() const {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(jacobian.cols(), jacobian.cols());
+  result.selfadjointView<Eigen::Lower>().rankUpdate(jacobian.transpose(), 2.0);
+  return result.selfadjointView<Eigen::Lower>();
+}
+
 Eigen::VectorXd hessian_times(const Configuration& at, std::span<const Parameter> parameters,
                               const Distance& distance, const Eigen::VectorXd& adjoint,
                               const Eigen::VectorXd& q) {

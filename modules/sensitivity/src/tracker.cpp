@@ -74,6 +74,21 @@ double extent(const State& state) {
   return (high - low).norm();
 }
 
+// Newton stops where rounding may be all that is left of the forces; whatever else is left would
+// show in derivatives by differences. A step with the factor at hand costs next to nothing.
+void polish(Configuration& at, equilibrium::Equilibrium& report) {
+  constexpr int most = 3;
+  Eigen::VectorXd gradient = at.system.gradient(report.state);
+  for (int k = 0; k < most; ++k) {
+    State moved = at.system.displaced(report.state, at.linearisation.solve(-gradient));
+    Eigen::VectorXd left = at.system.gradient(moved);
+    if (!(left.norm() < gradient.norm() / 2)) return;
+    report.residual *= left.norm() / gradient.norm();
+    report.state = std::move(moved);
+    gradient = std::move(left);
+  }
+}
+
 equilibrium::Equilibrium solve(Configuration& at, State start, const TrackerOptions& options) {
   // An old matrix may have another pattern; the factor itself notices when it has.
   at.linearisation.matrix = at.system.pattern();
@@ -82,6 +97,7 @@ equilibrium::Equilibrium solve(Configuration& at, State start, const TrackerOpti
                                                         .max_iterations = options.max_iterations,
                                                         .stop = options.stop},
                                                        at.linearisation);
+  if (result.usable()) polish(at, result);
   at.state = result.state;
   return result;
 }

@@ -32,7 +32,7 @@ struct LeastSquares {
   Eigen::MatrixXd jacobian{};  // 3 per vertex x P
 
   Eigen::VectorXd gradient() const { return 2 * (jacobian.transpose() * residual); }
-  Eigen::MatrixXd gauss_newton() const { return 2 * (jacobian.transpose() * jacobian); }
+  Eigen::MatrixXd gauss_newton() const;
 };
 LeastSquares least_squares(const Distance& distance, const Eigen::MatrixXd& state_derivatives);
 
