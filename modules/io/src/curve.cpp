@@ -36,12 +36,11 @@ core::Expected<std::vector<geometry::Polyline>> read_curves(const std::filesyste
   });
 }
 
-std::optional<core::Error> write_obj(const std::filesystem::path& path,
-                                     std::span<const geometry::Polyline> curves) {
+std::string obj_text(std::span<const geometry::Polyline> curves) {
   std::string text;
   int first = 1;
   for (const geometry::Polyline& curve : curves) {
-    core::require(curve.points.allFinite(), "write_obj: needs finite points");
+    core::require(curve.points.allFinite(), "obj_text: needs finite points");
     for (int i = 0; i < curve.vertices(); ++i) {
       text += 'v';
       for (const double coordinate : curve.points.col(i))
@@ -54,7 +53,12 @@ std::optional<core::Error> write_obj(const std::filesystem::path& path,
     text += '\n';
     first += curve.vertices();
   }
-  return write_file(path, text);
+  return text;
+}
+
+std::optional<core::Error> write_obj(const std::filesystem::path& path,
+                                     std::span<const geometry::Polyline> curves) {
+  return write_file(path, obj_text(curves));
 }
 
 }  // namespace tencer::io

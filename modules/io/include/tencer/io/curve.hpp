@@ -23,6 +23,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 #include <tencer/core/error.hpp>
 #include <tencer/geometry/polyline.hpp>
 #include <vector>
@@ -32,8 +33,9 @@ namespace tencer::io {
 // At least one curve. Errors: "file:line" (text formats) or "file: key" (JSON).
 core::Expected<std::vector<geometry::Polyline>> read_curves(const std::filesystem::path& path);
 
-// An OBJ file with one `l` a curve, the first index repeated when closed; read_curves gives the
-// same doubles back.
+// The text of an OBJ file with one `l` a curve, the first index repeated when closed; read_curves
+// gives the same doubles back. Requires finite points.
+std::string obj_text(std::span<const geometry::Polyline> curves);
 std::optional<core::Error> write_obj(const std::filesystem::path& path,
                                      std::span<const geometry::Polyline> curves);
 
