@@ -16,6 +16,8 @@ core::Expected<Design> read_design(const std::filesystem::path& path) {
   });
 }
 
+std::string design_text(const Design& design) { return pretty(design_to_json(design)); }
+
 std::optional<core::Error> write_design(const std::filesystem::path& path, const Design& design) {
   const nlohmann::ordered_json content = design_to_json(design);
   const nlohmann::json unordered = content;

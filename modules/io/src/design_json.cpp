@@ -108,11 +108,14 @@ DesignCable read_cable(const JsonValue& value, const Design& design) {
 }
 
 Certificate read_certificate(const JsonValue& value) {
-  return {.residual = value["residual"].number(),
-          .smallest_eigenvalue = value["smallest_eigenvalue"].number(),
-          .eigenvalue_unit = optional_text(value, "eigenvalue_unit"),
-          .slack_cables = value["slack_cables"].integer(0),
-          .stable = value["stable"].boolean()};
+  Certificate certificate{.residual = value["residual"].number(),
+                          .smallest_eigenvalue = value["smallest_eigenvalue"].number(),
+                          .eigenvalue_unit = optional_text(value, "eigenvalue_unit"),
+                          .slack_cables = value["slack_cables"].integer(0),
+                          .stable = value["stable"].boolean()};
+  if (value.has("settles_from_target"))
+    certificate.settles_from_target = value["settles_from_target"].boolean();
+  return certificate;
 }
 
 double read_percent(const JsonValue& value) {
@@ -200,6 +203,8 @@ Json to_json(const Certificate& certificate) {
   result["eigenvalue_unit"] = certificate.eigenvalue_unit;
   result["slack_cables"] = certificate.slack_cables;
   result["stable"] = certificate.stable;
+  if (certificate.settles_from_target)
+    result["settles_from_target"] = *certificate.settles_from_target;
   return result;
 }
 
@@ -249,6 +254,7 @@ Design design_from_json(const JsonValue& root) {
   if (root.has("pinned"))
     for (const JsonValue& pin : root["pinned"].items())
       design.pinned.push_back(read_pin(pin, design.rods));
+  if (root.has("planar")) design.planar = root["planar"].boolean();
   for (const JsonValue& cable : root["cables"].items())
     design.cables.push_back(read_cable(cable, design));
   if (root.has("error")) {
@@ -272,6 +278,7 @@ Json design_to_json(const Design& design) {
   result["rods"] = list(design.rods);
   result["anchors"] = to_json(design.anchors);
   result["pinned"] = list(design.pinned);
+  result["planar"] = design.planar;
   result["cables"] = list(design.cables);
   if (design.error)
     result["error"] = Json{{"max_percent", design.error->max_percent},

@@ -1,10 +1,7 @@
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <system_error>
 #include <tencer/io/file.hpp>
 
@@ -12,17 +9,6 @@ namespace tencer::io {
 namespace {
 
 std::string reason(int error) { return std::generic_category().message(error); }
-
-// Writes and flushes; the errno of the first failure, or 0.
-int write_all(int file, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(file, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return errno;
-    text.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return ::fsync(file) == 0 ? 0 : errno;
-}
 
 }  // namespace
 
@@ -43,15 +29,20 @@ std::optional<core::Error> write_file(const std::filesystem::path& path, std::st
   const auto failed = [&](int error) {
     return core::Error{path.string(), "cannot be written: " + reason(error)};
   };
+  // Its own name for each write, so that two programs do not write into each other's.
   std::filesystem::path temporary = path;
-  temporary.replace_filename(path.filename().string() + "." + std::to_string(::getpid()) + ".part");
-  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) return failed(errno);
-  int error = write_all(file, text);
-  if (::close(file) != 0 && error == 0) error = errno;
-  if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  temporary.concat(".").concat(std::to_string(std::random_device()())).concat(".part");
+  errno = 0;
+  std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+  stream << text;
+  stream.close();  // flushes
+  int error = stream ? 0 : errno != 0 ? errno : EIO;
+  std::error_code renaming;
+  if (error == 0) std::filesystem::rename(temporary, path, renaming);
+  if (renaming) error = renaming.value();
   if (error == 0) return std::nullopt;
-  ::unlink(temporary.c_str());
+  std::error_code ignored;
+  std::filesystem::remove(temporary, ignored);
   return failed(error);
 }
 

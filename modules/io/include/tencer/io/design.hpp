@@ -61,6 +61,8 @@ struct Certificate {
   std::string eigenvalue_unit;
   int slack_cables = 0;
   bool stable = false;
+  // Whether the built form, let go at the target, comes to rest in the pose; absent: not tried.
+  std::optional<bool> settles_from_target = std::nullopt;
 };
 
 enum class DesignStatus { complete, tolerance_not_reached, interrupted };
@@ -73,6 +75,7 @@ struct Design {
   std::vector<DesignRod> rods;
   Eigen::Matrix3Xd anchors = Eigen::Matrix3Xd(3, 0);
   std::vector<Pin> pinned;
+  bool planar = false;  // all z coordinates are held
   std::vector<DesignCable> cables;
   std::optional<DesignError> error = std::nullopt;  // absent in a design that nobody solved yet
   std::optional<Certificate> certificate = std::nullopt;  // likewise
@@ -83,6 +86,9 @@ struct Design {
 // checked: sizes, indices, finite numbers, s in [0, length], positive stiffnesses and lengths.
 // Errors: "file: key", such as "design.json: rods[1].rest_lengths".
 core::Expected<Design> read_design(const std::filesystem::path& path);
+
+// The text of the file, unchecked.
+std::string design_text(const Design& design);
 
 // Makes the same checks first, so that no file is written that read_design refuses. All doubles
 // round-trip.
