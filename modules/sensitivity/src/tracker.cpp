@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <tencer/core/error.hpp>
-#include <tencer/sensitivity/parameters.hpp>
 #include <tencer/sensitivity/tracker.hpp>
+#include <tencer/springs/law.hpp>
 #include <utility>
 
 namespace tencer::sensitivity {
@@ -12,55 +12,95 @@ using equilibrium::State;
 using springs::Cable;
 using springs::End;
 
-// How far an end's attachment slides, the short way round a closed rod; nothing for anchors.
-// Requires that both are on the same rod or anchor.
-double slide(const End& from, const End& to, const std::vector<geometry::ArcLength>& rods) {
+// Part of the way between two attachments, the short way round a closed rod. Requires that both are
+// on the same rod or anchor.
+End between(const End& from, const End& to, double t, const equilibrium::System& system) {
   constexpr const char* same = "evaluate: the ends of cables must stay on their rods and anchors";
   core::require(from.index() == to.index(), same);
   if (const auto* anchor = std::get_if<springs::AtAnchor>(&from)) {
     core::require(anchor->anchor == std::get<springs::AtAnchor>(to).anchor, same);
-    return 0.0;
+    return to;
   }
   const auto& a = std::get<springs::OnRod>(from);
   const auto& b = std::get<springs::OnRod>(to);
   core::require(a.rod == b.rod, same);
-  const geometry::ArcLength& rod = rods[a.rod];
-  return rod.closed() ? std::remainder(b.s - a.s, rod.length()) : rod.wrap(b.s) - rod.wrap(a.s);
+  const geometry::ArcLength& rod = system.arc_lengths()[a.rod];
+  const double distance =
+      rod.closed() ? std::remainder(b.s - a.s, rod.length()) : rod.wrap(b.s) - rod.wrap(a.s);
+  return t == 1 ? to : springs::OnRod{a.rod, a.s + t * distance};
 }
 
-// The motion of the free unknowns that changed cables cause, to first order.
-Eigen::VectorXd predicted_motion(const Configuration& from, const std::vector<Cable>& cables) {
-  core::require(cables.size() == from.cables().size(), "evaluate: needs all the cables");
-  std::vector<Parameter> parameters;
-  std::vector<double> changes;
-  const auto add = [&](Kind kind, int cable, double change) {
-    if (change == 0) return;
-    parameters.push_back({kind, cable});
-    changes.push_back(change);
-  };
-  const auto& rods = from.system.arc_lengths();
-  for (int c = 0; c < static_cast<int>(cables.size()); ++c) {
-    const Cable& now = from.cables()[c];
-    const Cable& next = cables[c];
-    core::require(now.tension_only == next.tension_only,
+// Part t of the way from the cables of a configuration to others; for t = 1 those.
+std::vector<Cable> between(const Configuration& from, const std::vector<Cable>& to, double t) {
+  core::require(to.size() == from.cables().size(), "evaluate: needs all the cables");
+  std::vector<Cable> result = to;
+  for (std::size_t c = 0; c < to.size(); ++c) {
+    const Cable& a = from.cables()[c];
+    const Cable& b = to[c];
+    core::require(a.tension_only == b.tension_only,
                   "evaluate: a cable must stay tension-only or not");
-    add(Kind::stiffness, c, next.stiffness - now.stiffness);
-    add(Kind::rest_length, c, next.rest_length - now.rest_length);
-    add(Kind::position_a, c, slide(now.a, next.a, rods));
-    add(Kind::position_b, c, slide(now.b, next.b, rods));
+    result[c].a = between(a.a, b.a, t, from.system);
+    result[c].b = between(a.b, b.b, t, from.system);
+    result[c].stiffness = std::lerp(a.stiffness, b.stiffness, t);
+    result[c].rest_length = std::lerp(a.rest_length, b.rest_length, t);
   }
-  if (parameters.empty()) return Eigen::VectorXd::Zero(from.system.size());
-  const Eigen::VectorXd change =
-      Eigen::Map<const Eigen::VectorXd>(changes.data(), static_cast<Eigen::Index>(changes.size()));
-  const Eigen::VectorXd force = force_derivatives(from.system, from.state, parameters) * change;
-  return from.linearisation.solve(-force);
+  return result;
 }
 
-double largest_distance(const State& a, const State& b) {
-  double squared = 0;
-  for (std::size_t r = 0; r < a.size(); ++r)
-    squared = std::max(squared, (a[r].x - b[r].x).colwise().squaredNorm().maxCoeff());
-  return std::sqrt(squared);
+// How the forces on the free unknowns change with the cables, the vertices held: to first order in
+// the displacement of the attachments (not in s, whose derivative jumps at vertices) and exactly in
+// stiffness and rest length, so that rebased cables change nothing.
+Eigen::VectorXd force_change(const Configuration& from, const equilibrium::System& to) {
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(from.system.size());
+  const auto add = [&](const springs::Stencil& stencil, const Eigen::Vector3d& force) {
+    for (int i = 0; i < stencil.count; ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto& share = stencil.shares[i];
+        const int at = to.position_index(share.rod, share.vertex, axis);
+        if (at >= 0) change[at] += share.weight * force[axis];
+      }
+  };
+  for (std::size_t c = 0; c < from.cables().size(); ++c) {
+    const Cable& cable = from.cables()[c];
+    const Cable& next = to.structure().cables[c];
+    const Eigen::Vector3d span = equilibrium::span_of(from.system.stencils()[c], from.state);
+    const Eigen::Vector3d next_span = equilibrium::span_of(to.stencils()[c], from.state);
+    const Eigen::Vector3d force = springs::force(cable, span);
+    const Eigen::Matrix3d stiffness =
+        springs::stiffness_matrix(cable, span, springs::tension(cable, span.norm()));
+    add(from.system.stencils()[c],
+        springs::force(next, span) - force + stiffness * (next_span - span));
+    add(from.system.stencils()[c], -force);
+    add(to.stencils()[c], force);
+  }
+  return change;
+}
+
+// Largest motion of a vertex from one state to another, less the rigid motions at `at`: a structure
+// that is free to drift may do so.
+double largest_motion(const Configuration& at, const State& from, const State& to) {
+  Eigen::VectorXd motion = Eigen::VectorXd::Zero(at.system.size());
+  const auto for_each_vertex = [&](const auto& visit) {
+    for (int r = 0; r < static_cast<int>(from.size()); ++r)
+      for (int v = 0; v < from[r].x.cols(); ++v) {
+        Eigen::Vector3i index;
+        for (int axis = 0; axis < 3; ++axis) index[axis] = at.system.position_index(r, v, axis);
+        visit(r, v, index);
+      }
+  };
+  for_each_vertex([&](int r, int v, const Eigen::Vector3i& index) {
+    for (int axis = 0; axis < 3; ++axis)
+      if (index[axis] >= 0) motion[index[axis]] = to[r].x(axis, v) - from[r].x(axis, v);
+  });
+  equilibrium::remove_rigid(at.linearisation.rigid, motion);
+  double largest = 0;
+  for_each_vertex([&](int, int, const Eigen::Vector3i& index) {
+    double squared = 0;
+    for (const int i : index)
+      if (i >= 0) squared += motion[i] * motion[i];
+    largest = std::max(largest, squared);
+  });
+  return std::sqrt(largest);
 }
 
 // Diagonal of the bounding box.
@@ -121,23 +161,28 @@ std::string describe(Outcome outcome) {
 Tracker::Tracker(equilibrium::Structure structure, State start, TrackerOptions options)
     : options_(std::move(options)),
       committed_{.system = equilibrium::System(structure, options_.side)},
-      trial_{.system = equilibrium::System(std::move(structure), options_.side)} {
+      trial_{.system = equilibrium::System(structure, options_.side)},
+      halfway_{.system = equilibrium::System(std::move(structure), options_.side)} {
+  core::require(options_.smallest_step > 0 && options_.smallest_step <= 1,
+                "tracker: smallest_step must be in (0, 1]");
   first_ = solve(committed_, std::move(start), options_);
 }
 
-Trial Tracker::evaluate(std::vector<Cable> cables) {
-  core::require(first_.usable(), "evaluate: there is no equilibrium to start from");
-  const Eigen::VectorXd motion = predicted_motion(committed_, cables);
-  trial_usable_ = false;
+Trial Tracker::step(const Configuration& from, std::vector<Cable> cables) {
   trial_.system.set_cables(std::move(cables));
-  const State predicted = committed_.system.displaced(committed_.state, motion);
-  Trial trial{.motion = largest_distance(predicted, committed_.state)};
-  const double energy = trial_.system.energy(predicted);
-  trial.predicted = std::isfinite(energy) && energy < trial_.system.energy(committed_.state);
-  trial.equilibrium = solve(trial_, trial.predicted ? predicted : committed_.state, options_);
-  trial.correction = largest_distance(trial.equilibrium.state, predicted);
-  const double allowed = std::max(options_.max_correction * trial.motion,
-                                  options_.negligible * extent(committed_.state));
+  const Eigen::VectorXd motion = from.linearisation.solve(-force_change(from, trial_.system));
+  const State predicted = trial_.system.displaced(from.state, motion);
+  Trial trial{.motion = largest_motion(from, from.state, predicted)};
+  // The energy is no guide here: a good prediction stretches stiff rods to second order, which
+  // raises it, and Newton's first step takes that back.
+  constexpr double trusted = 0.25;
+  const double size = extent(from.state);
+  trial.predicted =
+      trial.motion <= trusted * size && std::isfinite(trial_.system.energy(predicted));
+  trial.equilibrium = solve(trial_, trial.predicted ? predicted : from.state, options_);
+  trial.correction = largest_motion(from, predicted, trial.equilibrium.state);
+  const double allowed =
+      std::max(options_.max_correction * trial.motion, options_.negligible * size);
   if (!trial.equilibrium.usable())
     trial.outcome = Outcome::not_solved;
   else if (trial.equilibrium.escapes > 0)
@@ -146,8 +191,32 @@ Trial Tracker::evaluate(std::vector<Cable> cables) {
     trial.outcome = Outcome::jumped;
   else
     trial.outcome = Outcome::followed;
-  trial_usable_ = trial.usable();
   return trial;
+}
+
+Trial Tracker::evaluate(const std::vector<Cable>& cables) {
+  core::require(first_.usable(), "evaluate: there is no equilibrium to start from");
+  trial_usable_ = false;
+  const Configuration* from = &committed_;
+  double done = 0;
+  double length = 1;
+  for (int solves = 1;; ++solves) {
+    Trial trial = step(*from, between(committed_, cables, done + length));
+    trial.solves = solves;
+    if (trial.usable()) {
+      done += length;
+      if (done == 1) {
+        trial_usable_ = true;
+        return trial;
+      }
+      std::swap(halfway_, trial_);
+      from = &halfway_;
+    } else {
+      length /= 2;
+      const bool stopped = trial.equilibrium.reason == equilibrium::Reason::stopped;
+      if (length < options_.smallest_step || stopped) return trial;
+    }
+  }
 }
 
 void Tracker::commit() {

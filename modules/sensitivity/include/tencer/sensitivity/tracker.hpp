@@ -21,10 +21,14 @@ struct Configuration {
 struct TrackerOptions {
   double tolerance = 1e-10;  // on the equilibrium's residual; 100 times below the outer one
   int max_iterations = 100;  // steps of Newton's method
-  // A state further from the prediction than this times the predicted motion has jumped (largest
-  // motions of a vertex); motions below `negligible` times the structure's size never count.
+  // An equilibrium further from the prediction than this times the predicted motion counts as a
+  // jump (largest motions of a vertex, rigid motions left out), unless it is within `negligible`
+  // times the structure's size.
   double max_correction = 0.5;
   double negligible = 1e-4;
+  // A change of the cables that makes the equilibrium jump is followed in smaller and smaller parts
+  // before it counts as failed, down to this one (1: never divided).
+  double smallest_step = 0.125;
   geometry::Side side = geometry::Side::after;
   std::stop_token stop{};
 };
@@ -37,12 +41,14 @@ enum class Outcome {
 };
 std::string describe(Outcome outcome);
 
+// How an evaluation went; where it took several parts, how the last one did.
 struct Trial {
   Outcome outcome = Outcome::not_solved;
   equilibrium::Equilibrium equilibrium{};  // Newton's report; its state is Configuration::state
   bool predicted = false;                  // whether Newton started from the prediction
   double motion = 0.0;                     // largest predicted motion of a vertex, length
   double correction = 0.0;  // largest distance of a vertex from its predicted position, length
+  int solves = 0;           // of an equilibrium
 
   bool usable() const { return outcome == Outcome::followed; }
 };
@@ -62,16 +68,18 @@ class Tracker {
   // The equilibrium with these cables: the committed ones, each with its ends on the same rods and
   // anchors, at other places and with other stiffness and rest length. Requires a usable committed
   // configuration. trial() holds the configuration until the next call.
-  Trial evaluate(std::vector<springs::Cable> cables);
+  Trial evaluate(const std::vector<springs::Cable>& cables);
   const Configuration& trial() const { return trial_; }
 
   // Makes the last trial the committed configuration; requires that it was usable.
   void commit();
 
  private:
+  Trial step(const Configuration& from, std::vector<springs::Cable> cables);
+
   TrackerOptions options_;
   equilibrium::Equilibrium first_;
-  Configuration committed_, trial_;
+  Configuration committed_, trial_, halfway_;
   bool trial_usable_ = false;
 };
 
