@@ -47,8 +47,9 @@ Design sample() {
                            .tension = -number(),
                            .stiffness = number(),
                            .rest_length = 0.0});
+  design.planar = true;
   design.error = DesignError{number(), number()};
-  design.certificate = Certificate{1e-12 * number(), -number(), "N/mm", 1, false};
+  design.certificate = Certificate{1e-12 * number(), -number(), "N/mm", 1, false, false};
   design.trace = {{"prune", number(), 87, no_number, no_number, 3, 40, "a, b"},
                   {"greedy", number(), 51, number(), number(), 5, 60, ""}};
   return design;
@@ -112,6 +113,8 @@ TEST_CASE("a design is read back to the last bit") {
   CHECK(read->certificate->eigenvalue_unit == "N/mm");
   CHECK(read->certificate->slack_cables == 1);
   CHECK_FALSE(read->certificate->stable);
+  CHECK(read->certificate->settles_from_target == false);
+  CHECK(read->planar);
   REQUIRE(read->trace.size() == 2);
   CHECK(std::isnan(read->trace[0].max_percent));
   CHECK(read->trace[0].note == "a, b");
@@ -138,7 +141,7 @@ TEST_CASE("the file has the fields other programs rely on, in their order") {
   design.cables.push_back(
       {.a = {.rod = 0, .s = 0.5}, .b = {.anchor = 0}, .length = 2, .tension = 4});
   design.error = DesignError{1, 0.5};
-  design.certificate = Certificate{1e-10, 0.125, "N/cm", 0, true};
+  design.certificate = Certificate{1e-10, 0.125, "N/cm", 0, true, std::nullopt};
   design.trace = {{"slide", 0.5, 1, 1, 0.5, 2, 7, ""}};
   REQUIRE_FALSE(write_design(folder / "design.json", design));
   CHECK(folder.text("design.json") == R"({
@@ -170,6 +173,7 @@ TEST_CASE("the file has the fields other programs rely on, in their order") {
  "pinned": [
   {"rod":0,"vertex":1,"axes":"z"}
  ],
+ "planar": false,
  "cables": [
   {"a":{"rod":0,"s":0.5},"b":{"anchor":0},"length":2.0,"tension":4.0}
  ],
@@ -207,6 +211,7 @@ TEST_CASE("a design by another program needs the essentials only and may have ke
   if (!read) FAIL(read.error().text());
   CHECK(read->status == DesignStatus::complete);
   CHECK_FALSE(read->certificate);
+  CHECK_FALSE(read->planar);
   CHECK_FALSE(read->error);
   CHECK(read->anchors.cols() == 0);
 }
@@ -325,4 +330,33 @@ TEST_CASE("bad design files are refused with their key or line") {
   }
   CHECK(folder.local(read_design(folder / "none.json").error().text()) ==
         "none.json: there is no such file");
+}
+
+TEST_CASE("no text makes the design reader throw, and what it reads can be written") {
+  const Folder folder;
+  REQUIRE_FALSE(write_design(folder / "design.json", sample()));
+  const std::string text = folder.text("design.json");
+  std::mt19937 random(19);
+  int read = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    std::string changed = text;
+    for (int edit = 0; edit < trial % 4; ++edit)
+      changed[random() % changed.size()] = text[random() % text.size()];
+    const auto design = read_design(folder.put("design.json", changed));
+    if (design) {
+      ++read;
+      REQUIRE_FALSE(write_design(folder / "again.json", *design));
+    } else {
+      REQUIRE(design.error().where.starts_with(folder.path().string()));
+    }
+  }
+  CHECK(read >= 250);
+}
+
+TEST_CASE("a name that is not UTF-8 does not lose the design") {
+  const Folder folder;
+  Design design = sample();
+  design.name = "caf\xe9";
+  REQUIRE_FALSE(write_design(folder / "design.json", design));
+  CHECK(read_design(folder / "design.json").value().name == "caf\xEF\xBF\xBD");
 }

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <numbers>
+#include <random>
 #include <tencer/geometry/curves.hpp>
 #include <tencer/io/curve.hpp>
 #include <tencer/io/scene.hpp>
@@ -353,4 +354,24 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
   }
   CHECK(folder.local(read_scene(folder / "none.toml").error().text()) ==
         "none.toml: there is no such file");
+}
+
+TEST_CASE("no text makes the scene reader throw") {
+  const Curves folder;
+  const std::string text =
+      "anchors = [[20, 0, 0]]\npinned = [{rod = 0, vertex = 2, axes = 'xy'}]\n[[rod]]\n"
+      "curve = 'both.obj'\nvertices = 12\nsection = {EA = 3, EI = [2, 1], GJ = 0.5}\n[[rod]]\n"
+      "family = 'helix'\nparameters = {turns = 2}\n[design]\nrod_pairs = [[0, 1]]\n"
+      "weights = [{rod = 0, from = 1, to = 2, weight = 0}]\n";
+  std::mt19937 random(18);
+  int read = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    std::string changed = text;
+    for (int edit = 0; edit < trial % 4; ++edit)
+      changed[random() % changed.size()] = text[random() % text.size()];
+    const auto scene = read_scene(folder.put("s.toml", changed));
+    read += scene ? 1 : 0;
+    if (!scene) REQUIRE(scene.error().where.starts_with(folder.path().string()));
+  }
+  CHECK(read >= 250);
 }

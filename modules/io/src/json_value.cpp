@@ -14,7 +14,7 @@ namespace {
 std::string description(const nlohmann::json& value) {
   if (value.is_array()) return "an array of " + std::to_string(value.size());
   if (value.is_object()) return "an object";
-  return value.dump();
+  return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 // The library's message without its prefix, "[identifier] parse error at line 3, column 7: ".

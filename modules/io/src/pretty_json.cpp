@@ -7,16 +7,21 @@ namespace {
 
 constexpr std::size_t line_width = 100;
 
+// A name taken from a file's name need not be UTF-8; JSON must be.
+std::string one_line(const nlohmann::ordered_json& value) {
+  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 bool on_one_line(const nlohmann::ordered_json& value) {
   if (!value.is_structured() || value.empty()) return true;
   if (value.is_array())
     return std::ranges::none_of(value, [](const auto& item) { return item.is_structured(); });
-  return value.dump().size() <= line_width;
+  return one_line(value).size() <= line_width;
 }
 
 void append(std::string& text, const nlohmann::ordered_json& value, std::size_t indent) {
   if (on_one_line(value)) {
-    text += value.dump();
+    text += one_line(value);
     return;
   }
   const std::string margin(indent + 1, ' ');
@@ -25,7 +30,7 @@ void append(std::string& text, const nlohmann::ordered_json& value, std::size_t 
   const char* separator = "\n";
   for (const auto& [key, item] : value.items()) {
     text += separator + margin;
-    if (!array) text += nlohmann::ordered_json(key).dump() + ": ";
+    if (!array) text += one_line(key) + ": ";
     append(text, item, indent + 1);
     separator = ",\n";
   }
