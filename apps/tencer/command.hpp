@@ -19,6 +19,8 @@ enum class ExitCode {
 // The Error goes to stderr on one line, and the program exits with bad_input.
 using Command = std::function<core::Expected<ExitCode>(const core::Log&)>;
 
+void add_design(CLI::App& app, Command& chosen);
+void add_simulate(CLI::App& app, Command& chosen);
 void add_target(CLI::App& app, Command& chosen);
 
 }  // namespace tencer::app

@@ -37,6 +37,8 @@ int run(int argc, char** argv) {
   app.add_flag("--verbose", verbose, "Say more")->excludes("--quiet");
 
   Command chosen;
+  add_design(app, chosen);
+  add_simulate(app, chosen);
   add_target(app, chosen);
 
   try {

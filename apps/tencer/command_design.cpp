@@ -1,0 +1,109 @@
+// tencer design INPUT: cables for a scene or a bare target curve.
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <tencer/io/curve.hpp>
+#include <tencer/io/scene.hpp>
+#include <tencer/pipeline/design.hpp>
+
+#include "command.hpp"
+#include "design_files.hpp"
+#include "interrupt.hpp"
+
+namespace tencer::app {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  tencer design curve.obj                    defaults; the result is in curve-design/
+  tencer design scene.toml -o result         rods, sections, anchors and rules from a scene file
+  tencer design curve.obj --max-error 0.5 --optimizer mma
+
+INPUT is a scene (.toml, see docs/scene.md) or a curve (.obj, .csv, .xyz, .txt, .json). The folder
+gets design.json, trace.csv (error against run time), pose.obj, view.html and picture.svg. Ctrl-C
+ends early with the best design so far.)";
+
+struct DesignRequest {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  std::optional<std::string> optimizer;
+  std::optional<std::string> hessian;
+  std::optional<double> max_error;
+};
+
+core::Expected<io::Scene> read_input(const std::filesystem::path& input) {
+  if (input.extension() == ".toml") return io::read_scene(input);
+  auto curves = io::read_curves(input);
+  if (!curves) return curves.error();
+  return io::scene_of_curves(std::move(*curves), input);
+}
+
+// One line a second at the most.
+std::function<void(const sparsify::Progress&)> progress_lines(const core::Log& log) {
+  auto last =
+      std::make_shared<std::chrono::steady_clock::time_point>(std::chrono::steady_clock::now());
+  return [&log, last](const sparsify::Progress& progress) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - *last < std::chrono::seconds(1)) return;
+    *last = now;
+    std::ostringstream line;
+    line.precision(3);
+    line << "  " << progress.stage << ": " << progress.cables << " cables, max error "
+         << progress.max_percent << " %, " << progress.seconds << " s";
+    log(core::Level::info, line.str());
+  };
+}
+
+core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Log& log) {
+  auto scene = read_input(request.input);
+  if (!scene) return scene.error();
+  if (request.optimizer) scene->design.optimizer = *request.optimizer;
+  if (request.hessian) scene->design.hessian = *request.hessian;
+  if (request.max_error) scene->design.max_error = *request.max_error;
+
+  const Interrupt interrupt;
+  const auto design = pipeline::design(
+      *scene, {.stop = interrupt.token(), .progress = progress_lines(log), .log = log});
+  if (!design) return design.error();
+
+  const std::filesystem::path folder =
+      request.output.empty() ? std::filesystem::path(request.input.stem().string() + "-design")
+                             : request.output;
+  if (const auto error = write_design_files(folder, *design)) return *error;
+  std::cout << summary(*design);
+  if (design->status == io::DesignStatus::interrupted)
+    std::cout << "interrupted: this is the best design so far\n";
+  else if (design->status == io::DesignStatus::tolerance_not_reached)
+    std::cout << "the tolerance of " << scene->design.max_error
+              << " % with a certificate was not reached\n";
+  std::cout << "see " << (folder / "view.html").string() << '\n';
+  return design->status == io::DesignStatus::complete ? ExitCode::ok
+                                                      : ExitCode::tolerance_not_reached;
+}
+
+}  // namespace
+
+void add_design(CLI::App& app, Command& chosen) {
+  CLI::App* command =
+      app.add_subcommand("design", "Design cables that hold rods in a target shape");
+  command->footer(examples);
+  const auto request = std::make_shared<DesignRequest>();
+  command->add_option("INPUT", request->input, "Scene (.toml) or target curve")->required();
+  command->add_option("-o,--output", request->output, "Folder for the result [INPUT-design]");
+  command->add_option("--optimizer", request->optimizer,
+                      "Outer optimizer: ipopt, mma, ccsaq [the scene's, else ipopt]");
+  command
+      ->add_option("--hessian", request->hessian,
+                   "What ipopt is told of curvature [the scene's, else gauss-newton]")
+      ->check(CLI::IsMember({"limited-memory", "gauss-newton", "exact"}));
+  command
+      ->add_option("--max-error", request->max_error,
+                   "Largest distance to the target, % of its bounding-box diagonal [1]")
+      ->check(CLI::PositiveNumber);
+  command->callback([&chosen, request] {
+    chosen = [request](const core::Log& log) { return run_design(*request, log); };
+  });
+}
+
+}  // namespace tencer::app

@@ -1,0 +1,71 @@
+// tencer simulate DESIGN: where a designed structure comes to rest.
+#include <iostream>
+#include <memory>
+#include <tencer/pipeline/simulate.hpp>
+
+#include "command.hpp"
+#include "design_files.hpp"
+#include "interrupt.hpp"
+
+namespace tencer::app {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  tencer simulate knot/design.json                            from the pose, inextensible cables
+  tencer simulate knot/design.json --from target --cables springs -o settled
+
+Inextensible cables have the design's lengths and go slack rather than push. Springs use each cable's
+stiffness and rest_length. Without -o nothing is written.)";
+
+struct SimulateRequest {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  std::string from = "pose";
+  std::string cables = "inextensible";
+  double tolerance = equilibrium::SolveOptions{}.tolerance;
+};
+
+core::Expected<ExitCode> run_simulate(const SimulateRequest& request) {
+  const auto design = io::read_design(request.input);
+  if (!design) return design.error();
+  const Interrupt interrupt;
+  const auto result = pipeline::simulate(
+      *design, {.start = request.from == "target" ? pipeline::Start::target : pipeline::Start::pose,
+                .cables = request.cables == "springs" ? pipeline::Cables::springs
+                                                      : pipeline::Cables::inextensible,
+                .solve = {.tolerance = request.tolerance, .stop = interrupt.token()}});
+  if (!result) return core::Error{request.input.string(), result.error().message};
+  if (!request.output.empty())
+    if (const auto error = write_design_files(request.output, result->design)) return *error;
+  std::cout << describe(result->reason) << ": " << result->iterations << " iterations, "
+            << result->factorisations << " factorisations, " << result->unknowns << " unknowns, "
+            << result->seconds * 1e3 << " ms, residual " << result->residual << '\n'
+            << "largest motion from the file's pose " << result->moved_percent
+            << " % of the target's size\n"
+            << summary(result->design);
+  return result->usable() ? ExitCode::ok : ExitCode::tolerance_not_reached;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand("simulate", "Find where a design comes to rest");
+  command->footer(examples);
+  const auto request = std::make_shared<SimulateRequest>();
+  command->add_option("DESIGN", request->input, "Design file (design.json)")->required();
+  command->add_option("--from", request->from, "Where the rods start")
+      ->check(CLI::IsMember({"target", "pose"}))
+      ->capture_default_str();
+  command->add_option("--cables", request->cables, "What the cables are")
+      ->check(CLI::IsMember({"springs", "inextensible"}))
+      ->capture_default_str();
+  command->add_option("--tolerance", request->tolerance, "Of forces, relative to the rods' own")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("-o,--output", request->output, "Folder for the design at rest");
+  command->callback([&chosen, request] {
+    chosen = [request](const core::Log&) { return run_simulate(*request); };
+  });
+}
+
+}  // namespace tencer::app

@@ -1,0 +1,43 @@
+// From a scene to the problem that is solved: scaled units, a structure without cables, the target,
+// and the rules for cables.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <tencer/core/error.hpp>
+#include <tencer/core/scale.hpp>
+#include <tencer/equilibrium/structure.hpp>
+#include <tencer/io/scene.hpp>
+#include <tencer/sensitivity/target.hpp>
+#include <tencer/sparsify/rules.hpp>
+#include <vector>
+
+namespace tencer::pipeline {
+
+// Scaled coordinates are (scene coordinates - origin) / scale.length: the total rod length is 1 and
+// the largest EI / length is 1, whatever the scene's units (numerics are relative).
+struct Units {
+  core::Scale scale{};
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+
+  Eigen::Matrix3Xd scaled(const Eigen::Matrix3Xd& points) const {
+    return (points.colwise() - origin) / scale.length;
+  }
+  Eigen::Matrix3Xd unscaled(const Eigen::Matrix3Xd& points) const {
+    return (points * scale.length).colwise() + origin;
+  }
+};
+
+struct Prepared {
+  equilibrium::Structure structure{};  // scaled, without cables
+  sensitivity::Target target{};        // scaled; its points are also where the rods start
+  sparsify::Rules rules{};             // scaled
+  Units units{};
+  std::vector<std::string> left_out{};  // what this scene does not need, a sentence each
+};
+
+// Errors name the scene's file or the curve a rod came from: a rod whose vertices meet, an anchor
+// on a rod.
+core::Expected<Prepared> prepare(const io::Scene& scene);
+
+}  // namespace tencer::pipeline

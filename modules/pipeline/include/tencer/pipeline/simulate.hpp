@@ -1,0 +1,41 @@
+// The equilibrium of a design file: where the structure settles.
+#pragma once
+
+#include <stop_token>
+#include <string>
+#include <tencer/core/error.hpp>
+#include <tencer/equilibrium/solve.hpp>
+#include <tencer/io/design.hpp>
+#include <tencer/pipeline/convert.hpp>
+
+namespace tencer::pipeline {
+
+enum class Start { target, pose };
+
+struct SimulateOptions {
+  Start start = Start::pose;
+  Cables cables = Cables::inextensible;
+  equilibrium::SolveOptions solve{};
+};
+
+struct Simulation {
+  io::Design design{};  // the input with the pose, tensions, error and certificate found
+  equilibrium::Reason reason = equilibrium::Reason::iteration_limit;
+  int unknowns = 0;
+  int iterations = 0;
+  int factorisations = 0;
+  double seconds = 0.0;
+  double residual = 0.0;
+  // Largest distance of a vertex to the input's pose, in % of the target's bounding-box diagonal,
+  // rigidly aligned unless the structure is held in place.
+  double moved_percent = 0.0;
+
+  bool usable() const {
+    return reason == equilibrium::Reason::converged || reason == equilibrium::Reason::rounding;
+  }
+};
+
+// Errors: springs are asked for and a cable has no stiffness (the key is named).
+core::Expected<Simulation> simulate(const io::Design& design, const SimulateOptions& options = {});
+
+}  // namespace tencer::pipeline

@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <tencer/core/error.hpp>
+#include <tencer/pipeline/convert.hpp>
+
+namespace tencer::pipeline {
+namespace {
+
+springs::End end_of(const io::CableEnd& end, const Units& units) {
+  if (end.anchor >= 0) return springs::AtAnchor{end.anchor};
+  return springs::OnRod{end.rod, end.s / units.scale.length};
+}
+
+std::vector<Eigen::Matrix3Xd> scaled(const io::Design& design, const Units& units,
+                                     Eigen::Matrix3Xd io::DesignRod::*points) {
+  std::vector<Eigen::Matrix3Xd> all;
+  for (const auto& rod : design.rods) all.push_back(units.scaled(rod.*points));
+  return all;
+}
+
+}  // namespace
+
+Units units_of(const io::Design& design) {
+  double length = 0;
+  double bending = 0;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Index vertices = 0;
+  for (const auto& rod : design.rods) {
+    length += rod.length();
+    bending = std::max(bending, rod.EI.maxCoeff());
+    sum += rod.target.rowwise().sum();
+    vertices += rod.target.cols();
+  }
+  return {.scale = {.length = length, .energy = bending / length},
+          .origin = sum / static_cast<double>(vertices)};
+}
+
+equilibrium::Structure structure_of(const io::Design& design, Cables cables, const Units& units) {
+  const core::Scale& scale = units.scale;
+  equilibrium::Structure structure;
+  for (const auto& from : design.rods) {
+    der::Rod rod;
+    rod.closed = from.closed;
+    rod.section = {.EA = from.EA / scale.force(),
+                   .EI1 = from.EI[0] / scale.bending(),
+                   .EI2 = from.EI[1] / scale.bending(),
+                   .GJ = from.GJ / scale.bending()};
+    rod.rest_lengths = from.rest_lengths / scale.length;
+    structure.rods.push_back(rod);
+  }
+  structure.anchors = units.scaled(design.anchors);
+  for (const io::Pin& pin : design.pinned)
+    structure.pins.push_back({.rod = pin.rod, .vertex = pin.vertex, .axes = pin.axes});
+  structure.planar = design.planar;
+  for (const auto& from : design.cables) {
+    springs::Cable cable{.a = end_of(from.a, units), .b = end_of(from.b, units)};
+    if (cables == Cables::springs) {
+      core::require(from.stiffness && from.rest_length, "structure_of: a cable has no stiffness");
+      cable.stiffness = *from.stiffness / scale.stiffness();
+      cable.rest_length = *from.rest_length / scale.length;
+    } else {
+      cable.rest_length = from.length / scale.length;
+    }
+    structure.cables.push_back(cable);
+  }
+  return structure;
+}
+
+std::vector<Eigen::Matrix3Xd> scaled_targets(const io::Design& design, const Units& units) {
+  return scaled(design, units, &io::DesignRod::target);
+}
+
+std::vector<Eigen::Matrix3Xd> scaled_poses(const io::Design& design, const Units& units) {
+  return scaled(design, units, &io::DesignRod::pose);
+}
+
+io::CableEnd file_end(const springs::End& end, const equilibrium::Structure& structure,
+                      const Units& units) {
+  if (const auto* anchor = std::get_if<springs::AtAnchor>(&end)) return {.anchor = anchor->anchor};
+  const auto& on_rod = std::get<springs::OnRod>(end);
+  const auto& rod = structure.rods[on_rod.rod];
+  const geometry::ArcLength arc(rod.rest_lengths, rod.closed);
+  return {.rod = on_rod.rod, .s = arc.wrap(on_rod.s) * units.scale.length};
+}
+
+}  // namespace tencer::pipeline

@@ -1,0 +1,169 @@
+#include <chrono>
+#include <sstream>
+#include <tencer/equilibrium/built.hpp>
+#include <tencer/pipeline/design.hpp>
+#include <tencer/pipeline/prepare.hpp>
+#include <tencer/pipeline/simulate.hpp>
+#include <tencer/sparsify/decimate.hpp>
+#include <tencer/sparsify/dense.hpp>
+#include <tencer/sparsify/slide.hpp>
+#include <tencer/sparsify/sparsify.hpp>
+#include <utility>
+
+#include "record.hpp"
+
+namespace tencer::pipeline {
+namespace {
+
+void say(const DesignOptions& options, core::Level level, const std::string& text) {
+  if (options.log) options.log(level, text);
+}
+
+sparsify::SecondDerivatives second_derivatives(const std::string& name) {
+  if (name == "exact") return sparsify::SecondDerivatives::exact;
+  if (name == "gauss-newton") return sparsify::SecondDerivatives::gauss_newton;
+  return sparsify::SecondDerivatives::none;
+}
+
+io::TraceRow trace_row(const sparsify::StageRow& row) {
+  return {.stage = row.stage,
+          .seconds = row.seconds,
+          .cables = row.cables,
+          .max_percent = row.max_percent,
+          .rms_percent = row.rms_percent,
+          .equilibrium_solves = row.solves,
+          .newton_iterations = row.iterations,
+          .note = row.note};
+}
+
+// The stages one after the other; ends early when one is interrupted.
+class Route {
+ public:
+  Route(const DesignOptions& options, sparsify::StageResult start)
+      : options_(options), result_(std::move(start)) {}
+
+  template <class Stage>
+  Route& then(Stage&& stage) {
+    if (result_.interrupted) return *this;
+    sparsify::StageResult next = stage(result_.network);
+    for (const auto& row : next.trace) {
+      std::ostringstream line;
+      line << row.stage << ": " << row.cables << " cables, max error " << row.max_percent << " %, "
+           << row.seconds << " s" << (row.note.empty() ? "" : "; ") << row.note;
+      say(options_, core::Level::info, line.str());
+      trace_.push_back(trace_row(row));
+    }
+    result_ = std::move(next);
+    return *this;
+  }
+
+  const sparsify::StageResult& result() const { return result_; }
+  std::vector<io::TraceRow> take_trace() { return std::move(trace_); }
+
+ private:
+  const DesignOptions& options_;
+  sparsify::StageResult result_;
+  std::vector<io::TraceRow> trace_;
+};
+
+// The design file's part that does not depend on the equilibrium.
+io::Design file_of(const io::Scene& scene, const sparsify::Network& network, const Units& units) {
+  io::Design design;
+  design.name = scene.name;
+  design.length_unit = scene.length_unit;
+  design.force_unit = scene.force_unit;
+  design.planar = scene.planar;
+  design.anchors = scene.anchors;
+  design.pinned = scene.pinned;
+  for (const auto& rod : scene.rods)
+    design.rods.push_back({.closed = rod.target.closed,
+                           .EA = rod.section.EA,
+                           .EI = rod.section.EI,
+                           .GJ = rod.section.GJ,
+                           .rest_lengths = geometry::edge_lengths(rod.target),
+                           .target = rod.target.points,
+                           .pose = rod.target.points});
+  for (const auto& cable : network.structure.cables)
+    design.cables.push_back({.a = file_end(cable.a, network.structure, units),
+                             .b = file_end(cable.b, network.structure, units),
+                             .stiffness = cable.stiffness * units.scale.stiffness(),
+                             .rest_length = cable.rest_length * units.scale.length});
+  return design;
+}
+
+// Settles the built form from the target and compares with the pose that the design claims.
+io::TraceRow check_settling(io::Design& design) {
+  const auto simulation = simulate(design, {.start = Start::target});
+  io::TraceRow row;
+  row.stage = "settle";
+  row.cables = static_cast<int>(design.cables.size());
+  const Simulation& settled = *simulation;
+  row.seconds = settled.seconds;
+  row.max_percent = settled.design.error->max_percent;
+  row.rms_percent = settled.design.error->rms_percent;
+  row.equilibrium_solves = 1;
+  row.newton_iterations = settled.iterations;
+  design.certificate->settles_from_target = settled.usable() && settled.moved_percent <= 0.01;
+  if (!settled.usable())
+    row.note = "with inextensible cables, from the target: " + describe(settled.reason);
+  else if (!*design.certificate->settles_from_target)
+    row.note = "from the target the built form settles elsewhere, " +
+               std::to_string(settled.moved_percent) + " % away from the pose";
+  return row;
+}
+
+}  // namespace
+
+core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& options) {
+  const io::DesignSettings& settings = scene.design;
+  const auto backend = optimize::find_backend(options.backends, settings.optimizer);
+  if (!backend) return core::Error{scene.name, "design.optimizer: " + backend.error().message};
+  const auto prepared = prepare(scene);
+  if (!prepared) return prepared.error();
+  for (const auto& sentence : prepared->left_out)
+    say(options, core::Level::debug, "left out: " + sentence);
+  const auto candidates =
+      sparsify::candidates(prepared->structure, prepared->target.points, prepared->rules);
+  if (!candidates) return core::Error{scene.name, candidates.error().text()};
+
+  const sensitivity::Target& target = prepared->target;
+  const sparsify::Control control{.stop = options.stop, .progress = options.progress};
+  const sparsify::OuterOptions outer{.second_derivatives = second_derivatives(settings.hessian)};
+
+  sparsify::StageResult start;
+  start.network.structure = prepared->structure;
+  start.network.structure.cables =
+      sparsify::dense_springs(prepared->structure, target.points, *candidates);
+  for (auto& cable : start.network.structure.cables)
+    cable.stiffness *= settings.spring_stiffness / 100;
+  start.network.state = make_state(start.network.structure, target.points);
+
+  Route route(options, std::move(start));
+  route.then([&](const auto& network) { return sparsify::prune(network, target, control); })
+      .then([&](const auto& network) {
+        return sparsify::decimate(network, target, {.threshold = settings.greedy_threshold},
+                                  control);
+      })
+      .then([&](const auto& network) {
+        return sparsify::sparsify(network, target, *backend,
+                                  {.max_percent = settings.max_error, .outer = outer}, control);
+      })
+      .then([&](const auto& network) {
+        return sparsify::slide(network, target, prepared->rules, *backend, outer, control);
+      });
+
+  const sparsify::StageResult& result = route.result();
+  io::Design design = file_of(scene, result.network, prepared->units);
+  record(result.network.structure, result.network.state, sparsify::cable_tensions(result.network),
+         target, prepared->units, design);
+  design.trace = route.take_trace();
+  design.trace.push_back(check_settling(design));
+  const bool reached = design.error->max_percent <= settings.max_error &&
+                       design.certificate->stable && *design.certificate->settles_from_target;
+  design.status = result.interrupted ? io::DesignStatus::interrupted
+                  : reached          ? io::DesignStatus::complete
+                                     : io::DesignStatus::tolerance_not_reached;
+  return design;
+}
+
+}  // namespace tencer::pipeline

@@ -1,0 +1,41 @@
+#include "record.hpp"
+
+#include <utility>
+
+namespace tencer::pipeline {
+
+sensitivity::Target target_of(const equilibrium::Structure& structure,
+                              std::vector<Eigen::Matrix3Xd> points,
+                              std::vector<Eigen::VectorXd> weights) {
+  sensitivity::Target target = sensitivity::make_target(structure, std::move(points));
+  target.weights = std::move(weights);
+  return target;
+}
+
+void record(const equilibrium::Structure& structure, const equilibrium::State& state,
+            const Eigen::VectorXd& tensions, const sensitivity::Target& target, const Units& units,
+            io::Design& design) {
+  const auto deviation = sensitivity::deviation(target, state);
+  const Eigen::Matrix3d back = deviation.motion.rotation.transpose();
+  for (std::size_t r = 0; r < state.size(); ++r)
+    design.rods[r].pose =
+        units.unscaled(back * (state[r].x.colwise() - deviation.motion.translation));
+
+  const equilibrium::Certificate certificate = equilibrium::certify(structure, state, tensions);
+  const equilibrium::System system(structure);
+  for (std::size_t c = 0; c < structure.cables.size(); ++c) {
+    design.cables[c].length =
+        equilibrium::span_of(system.stencils()[c], state).norm() * units.scale.length;
+    design.cables[c].tension =
+        certificate.tensions[static_cast<Eigen::Index>(c)] * units.scale.force();
+  }
+  design.error = {.max_percent = deviation.max_percent, .rms_percent = deviation.rms_percent};
+  design.certificate =
+      io::Certificate{.residual = certificate.residual,
+                      .smallest_eigenvalue = certificate.stability.smallest_eigenvalue,
+                      .eigenvalue_unit = "max EI / L^4, one unit of mass per length",
+                      .slack_cables = static_cast<int>(certificate.slack.size()),
+                      .stable = certificate.stands()};
+}
+
+}  // namespace tencer::pipeline
