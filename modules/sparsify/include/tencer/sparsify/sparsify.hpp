@@ -1,0 +1,29 @@
+// Fewer cables by a sparsity term with growing weight (paper section 5.3, eq. 6 and 8).
+#pragma once
+
+#include <tencer/optimize/backend.hpp>
+#include <tencer/sensitivity/target.hpp>
+#include <tencer/sparsify/network.hpp>
+#include <tencer/sparsify/outer.hpp>
+
+namespace tencer::sparsify {
+
+struct SparsifyOptions {
+  double max_percent = 1.0;  // the largest distance to the target that is accepted
+  // The objective is (rms / max_percent)^2 + weight * unit * mean of sqrt(q), q the force densities
+  // relative to their mean at the start; the weight is 0, 1, 10, 100, ...
+  double unit = 1e-4;
+  double largest_weight = 1e8;
+  int bisections = 3;  // of the last weight's decade, when its network is not accepted
+  OuterOptions outer{};
+};
+
+// Minimises the objective for each weight, from the last accepted network; takes out the cables
+// whose stiffness vanished; stops at the first weight whose network would be further from the
+// target than accepted, or unstable. With anchors, the cables to them go through all weights first.
+// Every accepted weight has a row in the trace. Requires an equilibrium in which every cable pulls.
+StageResult sparsify(const Network& network, const sensitivity::Target& target,
+                     const optimize::Backend& backend, const SparsifyOptions& options = {},
+                     const Control& control = {});
+
+}  // namespace tencer::sparsify

@@ -1,0 +1,45 @@
+// Springs that are taken out one after another: the structure's Hessian pattern is kept while they
+// go, since working it out again costs more than a solve.
+#pragma once
+
+#include <tencer/sparsify/network.hpp>
+#include <vector>
+
+namespace tencer::sparsify {
+
+class SpringSet {
+ public:
+  SpringSet(Network network, const Control& control);
+
+  int count() const { return count_; }
+  const equilibrium::State& state() const { return state_; }
+  // Only the springs that are left.
+  Network network() const;
+
+  // Tension of every spring at the state; that of springs taken out is infinite.
+  Eigen::VectorXd tensions() const;
+
+  void set_tolerance(double tolerance) { options_.tolerance = tolerance; }
+  // Takes springs out; solve() then finds the equilibrium from the present state.
+  void take_out(const std::vector<int>& springs);
+  equilibrium::Reason solve();
+  // Makes the present springs and state those that revert() returns to.
+  void commit();
+  void revert();
+
+  int solves() const { return solves_; }
+  int iterations() const { return iterations_; }
+
+ private:
+  equilibrium::System system_;
+  equilibrium::Linearisation workspace_;
+  equilibrium::SolveOptions options_;
+  equilibrium::State state_, committed_state_;
+  std::vector<springs::Cable> springs_;  // those taken out have stiffness 0
+  std::vector<bool> present_, committed_present_;
+  std::vector<double> stiffness_;
+  int count_ = 0, committed_count_ = 0;
+  int solves_ = 0, iterations_ = 0;
+};
+
+}  // namespace tencer::sparsify

@@ -1,0 +1,51 @@
+#include "stage_clock.hpp"
+
+#include <tencer/equilibrium/solve.hpp>
+#include <utility>
+
+namespace tencer::sparsify {
+
+StageClock::StageClock(std::string stage, const Control& control)
+    : stage_(std::move(stage)), control_(control) {}
+
+double StageClock::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+void StageClock::report(int cables, double max_percent) const {
+  if (control_.progress) control_.progress({stage_, cables, max_percent, seconds()});
+}
+
+void StageClock::count(const Effort& effort) {
+  effort_.solves += effort.solves;
+  effort_.iterations += effort.iterations;
+}
+
+StageRow StageClock::row(const Network& network, const sensitivity::Target& target,
+                         std::string note) {
+  const auto deviation = sensitivity::deviation(target, network.state);
+  const auto now = std::chrono::steady_clock::now();
+  const int cables = static_cast<int>(network.structure.cables.size());
+  StageRow row{.stage = stage_,
+               .seconds = std::chrono::duration<double>(now - last_row_).count(),
+               .cables = cables,
+               .max_percent = deviation.max_percent,
+               .rms_percent = deviation.rms_percent,
+               .solves = effort_.solves,
+               .iterations = effort_.iterations,
+               .note = std::move(note)};
+  last_row_ = now;
+  effort_ = {};
+  report(cables, deviation.max_percent);
+  return row;
+}
+
+bool is_sound(const Network& network) {
+  const equilibrium::System system(network.structure);
+  equilibrium::Linearisation at;
+  equilibrium::linearise(system, network.state, at);
+  return at.regular && at.negative == 0 && equilibrium::residual(system, network.state) < 1e-6 &&
+         idle_cables(network).empty();
+}
+
+}  // namespace tencer::sparsify

@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <optional>
+#include <tencer/core/error.hpp>
+#include <tencer/sparsify/rest_length.hpp>
+#include <tencer/sparsify/thin.hpp>
+
+#include "refine.hpp"
+#include "removal_cost.hpp"
+#include "stage_clock.hpp"
+
+namespace tencer::sparsify {
+
+StageResult thin(const Network& network, const sensitivity::Target& target, const Rules& rules,
+                 const optimize::Backend& backend, const ThinOptions& options,
+                 const Control& control) {
+  core::require(options.max_percent > 0, "ThinOptions::max_percent must be positive");
+  validate(rules, network.structure);
+  StageClock clock("thin", control);
+  StageResult result{.network = network};
+  const RefineSetup setup{.percent = options.max_percent,
+                          .slide = true,
+                          .least_eigenvalue = least_eigenvalue(network, options.outer),
+                          .rules = rules};
+
+  const auto attempt = [&](int cable) -> std::optional<Network> {
+    Effort effort;
+    auto left = without(result.network, {cable}, control, effort);
+    if (left) left = pulling_only(std::move(*left), control, effort);
+    if (left) {
+      Refined refined = refine(*left, target, setup, backend, options.outer, control, effort);
+      left.reset();
+      if (refined.note.empty() && refined.deviation.max_percent <= options.max_percent &&
+          stiffest_eigenvalue(refined.network) >= setup.least_eigenvalue)
+        left = std::move(refined.network);
+    }
+    clock.count(effort);
+    return left;
+  };
+  const auto take_one_out = [&] {
+    Effort effort;
+    auto order = by_removal_cost(result.network, target, setup, control, effort);
+    clock.count(effort);
+    order.resize(std::min(order.size(), static_cast<std::size_t>(options.tries)));
+    for (const int cable : order) {
+      if (clock.stopped()) return false;
+      if (auto left = attempt(cable)) {
+        result.network = std::move(*left);
+        return true;
+      }
+    }
+    return false;
+  };
+
+  while (static_cast<int>(result.network.structure.cables.size()) > std::max(options.cables, 1) &&
+         !clock.stopped() && take_one_out())
+    result.trace.push_back(clock.row(result.network, target));
+  if (result.trace.empty()) result.trace.push_back(clock.row(result.network, target));
+  result.interrupted = clock.stopped();
+  result.sound = is_sound(result.network);
+  return result;
+}
+
+}  // namespace tencer::sparsify
