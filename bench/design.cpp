@@ -1,0 +1,100 @@
+// Designs for the published models, by the pipeline and with every optimizer of the build, beside the
+// published figures. Usage: bench_design FOLDER [MODEL...]
+#include "published_model.hpp"
+
+#include <tencer/geometry/polyline.hpp>
+#include <tencer/pipeline/design.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <set>
+
+using namespace tencer;
+
+namespace {
+
+// Rods of a model whose published cables never join a rod with itself are under that rule.
+std::optional<std::vector<std::array<int, 2>>> rod_pairs(const bench::PublishedModel& model) {
+  std::vector<std::array<int, 2>> pairs;
+  const int rods = static_cast<int>(model.structure.rods.size());
+  for (int a = 0; a < rods; ++a)
+    for (int b = a + 1; b < rods; ++b) pairs.push_back({a, b});
+  for (const auto& cable : model.structure.cables) {
+    const auto* a = std::get_if<springs::OnRod>(&cable.a);
+    const auto* b = std::get_if<springs::OnRod>(&cable.b);
+    if (a && b && a->rod == b->rod) return std::nullopt;
+  }
+  return pairs;
+}
+
+io::Scene scene_of(const bench::PublishedModel& model) {
+  io::Scene scene;
+  scene.name = model.name;
+  for (std::size_t r = 0; r < model.target.size(); ++r) {
+    const auto& rod = model.structure.rods[r];
+    io::SceneRod entry;
+    entry.target = {model.target[r], rod.closed};
+    entry.section = {rod.section.EA, {rod.section.EI1, rod.section.EI2}, rod.section.GJ};
+    entry.weights = Eigen::VectorXd::Ones(rod.vertices());
+    entry.source = model.name;
+    scene.rods.push_back(std::move(entry));
+  }
+  scene.anchors = model.structure.anchors;
+  scene.planar = model.structure.planar;
+  scene.design.rod_pairs = rod_pairs(model);
+  scene.design.max_error = model.max_error_percent;
+  return scene;
+}
+
+// Seconds by stage, rows of the same stage added up.
+std::string stage_seconds(const io::Design& design) {
+  std::vector<std::pair<std::string, double>> stages;
+  for (const auto& row : design.trace) {
+    if (stages.empty() || stages.back().first != row.stage) stages.emplace_back(row.stage, 0);
+    stages.back().second += row.seconds;
+  }
+  std::string text;
+  for (const auto& [stage, seconds] : stages) {
+    char entry[64];
+    std::snprintf(entry, sizeof entry, "%s %.2f  ", stage.c_str(), seconds);
+    text += entry;
+  }
+  return text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: bench_design FOLDER [MODEL...]\n");
+    return 2;
+  }
+  const std::set<std::string> wanted(argv + 2, argv + argc);
+  std::printf("%-21s %-9s %6s %6s %8s %8s %7s %9s %7s %9s  %s\n", "model", "optimizer", "cables",
+              "publ.", "max %", "publ.", "stands", "lambda", "settles", "seconds", "by stage");
+  for (const auto& model : bench::read_published_models(argv[1])) {
+    if (!wanted.empty() && !wanted.contains(model.name)) continue;
+    for (const auto& backend : pipeline::backends()) {
+      io::Scene scene = scene_of(model);
+      scene.design.optimizer = backend.name;
+      const auto begin = std::chrono::steady_clock::now();
+      const auto design = pipeline::design(scene);
+      const double seconds =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      if (!design) {
+        std::printf("%-21s %-9s %s\n", model.name.c_str(), backend.name.c_str(),
+                    design.error().text().c_str());
+        continue;
+      }
+      std::printf("%-21s %-9s %6zu %6d %8.3f %8.3f %7s %9.3g %7s %9.2f  %s\n", model.name.c_str(),
+                  backend.name.c_str(), design->cables.size(), model.cables,
+                  design->error->max_percent, model.max_error_percent,
+                  design->certificate->stable ? "yes" : "no",
+                  design->certificate->smallest_eigenvalue,
+                  design->certificate->settles_from_target.value_or(false) ? "yes" : "no", seconds,
+                  stage_seconds(*design).c_str());
+      std::fflush(stdout);
+    }
+  }
+}
