@@ -34,7 +34,7 @@ core::Expected<ExitCode> run_simulate(const SimulateRequest& request) {
                 .cables = request.cables == "springs" ? pipeline::Cables::springs
                                                       : pipeline::Cables::inextensible,
                 .solve = {.tolerance = request.tolerance, .stop = interrupt.token()}});
-  if (!result) return core::Error{request.input.string(), result.error().message};
+  if (!result) return core::Error{request.input.string(), result.error().text()};
   if (!request.output.empty())
     if (const auto error = write_design_files(request.output, result->design)) return *error;
   std::cout << describe(result->reason) << ": " << result->iterations << " iterations, "

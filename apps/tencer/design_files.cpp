@@ -2,7 +2,6 @@
 
 #include <iomanip>
 #include <sstream>
-#include <system_error>
 #include <tencer/io/curve.hpp>
 #include <tencer/io/file.hpp>
 #include <tencer/io/trace.hpp>
@@ -15,16 +14,15 @@ namespace tencer::app {
 
 std::optional<core::Error> write_design_files(const std::filesystem::path& folder,
                                               const io::Design& design) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure) return core::Error{folder.string(), "cannot make this folder: " + failure.message()};
+  if (auto error = io::design_problem(folder / "design.json", design)) return error;
   std::vector<geometry::Polyline> poses;
   for (const auto& rod : design.rods) poses.push_back({rod.pose, rod.closed});
-  if (auto error = io::write_design(folder / "design.json", design)) return error;
-  if (auto error = io::write_trace(folder / "trace.csv", design.trace)) return error;
-  if (auto error = io::write_obj(folder / "pose.obj", poses)) return error;
-  if (auto error = io::write_file(folder / "view.html", view_page(design))) return error;
-  return io::write_file(folder / "picture.svg", picture_svg(design));
+  const std::vector<io::NamedText> files{{"design.json", io::design_text(design)},
+                                         {"trace.csv", io::trace_text(design.trace)},
+                                         {"pose.obj", io::obj_text(poses)},
+                                         {"view.html", view_page(design)},
+                                         {"picture.svg", picture_svg(design)}};
+  return io::write_files(folder, files);
 }
 
 std::string summary(const io::Design& design) {

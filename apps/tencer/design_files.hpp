@@ -10,7 +10,7 @@
 namespace tencer::app {
 
 // design.json, trace.csv, pose.obj, view.html and picture.svg in `folder`, which is made when it is
-// not there.
+// not there: all of them or, on an Error, none.
 std::optional<core::Error> write_design_files(const std::filesystem::path& folder,
                                               const io::Design& design);
 

@@ -18,13 +18,16 @@ core::Expected<Design> read_design(const std::filesystem::path& path) {
 
 std::string design_text(const Design& design) { return pretty(design_to_json(design)); }
 
-std::optional<core::Error> write_design(const std::filesystem::path& path, const Design& design) {
-  const nlohmann::ordered_json content = design_to_json(design);
-  const nlohmann::json unordered = content;
+std::optional<core::Error> design_problem(const std::filesystem::path& path, const Design& design) {
+  const nlohmann::json content = design_to_json(design);
   const auto readable =
-      guarded([&] { return design_from_json(JsonValue(unordered, path.string())); });
-  if (!readable) return readable.error();
-  return write_file(path, pretty(content));
+      guarded([&] { return design_from_json(JsonValue(content, path.string())); });
+  return readable ? std::nullopt : std::optional(readable.error());
+}
+
+std::optional<core::Error> write_design(const std::filesystem::path& path, const Design& design) {
+  if (auto error = design_problem(path, design)) return error;
+  return write_file(path, design_text(design));
 }
 
 }  // namespace tencer::io

@@ -298,6 +298,7 @@ Scene parse_scene(const TomlTable& root, const std::filesystem::path& path) {
   root.only({"name", "length_unit", "force_unit", "planar", "anchors", "pinned", "rod", "design"});
   Scene scene;
   scene.name = root.text("name").value_or(path.stem().string());
+  scene.source = path.string();
   scene.length_unit = root.one_of("length_unit", length_units).value_or(scene.length_unit);
   scene.force_unit = root.one_of("force_unit", force_units).value_or(scene.force_unit);
   scene.planar = root.boolean("planar").value_or(scene.planar);
@@ -325,6 +326,7 @@ core::Expected<Scene> scene_of_curves(std::vector<Polyline> curves,
   return guarded([&] {
     Scene scene;
     scene.name = source.stem().string();
+    scene.source = source.string();
     for (Polyline& curve : curves) {
       SceneRod rod;
       rod.weights = Eigen::VectorXd::Ones(curve.vertices());

@@ -22,8 +22,7 @@ std::string percent(double value) { return std::isnan(value) ? "" : to_text(valu
 
 }  // namespace
 
-std::optional<core::Error> write_trace(const std::filesystem::path& path,
-                                       std::span<const TraceRow> rows) {
+std::string trace_text(std::span<const TraceRow> rows) {
   std::string text =
       "stage,seconds,cables,max_percent,rms_percent,equilibrium_solves,newton_iterations,note\n";
   for (const TraceRow& row : rows)
@@ -31,7 +30,12 @@ std::optional<core::Error> write_trace(const std::filesystem::path& path,
             percent(row.max_percent) + "," + percent(row.rms_percent) + "," +
             std::to_string(row.equilibrium_solves) + "," + std::to_string(row.newton_iterations) +
             "," + field(row.note) + "\n";
-  return write_file(path, text);
+  return text;
+}
+
+std::optional<core::Error> write_trace(const std::filesystem::path& path,
+                                       std::span<const TraceRow> rows) {
+  return write_file(path, trace_text(rows));
 }
 
 }  // namespace tencer::io

@@ -36,6 +36,23 @@ io::TraceRow trace_row(const sparsify::StageRow& row) {
           .note = row.note};
 }
 
+// "design.KEY: " when without this key's rules there would be cables, else nothing.
+std::string key_that_forbids(const Prepared& prepared) {
+  const auto allowed = [&](const sparsify::Rules& rules) {
+    return sparsify::candidates(prepared.structure, prepared.target.points, rules).has_value();
+  };
+  sparsify::Rules rules = prepared.rules;
+  rules.longest = sparsify::Rules{}.longest;
+  if (allowed(rules)) return "design.longest_cable: ";
+  rules = prepared.rules;
+  rules.pairs.reset();
+  if (allowed(rules)) return "design.rod_pairs: ";
+  rules = prepared.rules;
+  rules.forbidden.clear();
+  if (allowed(rules)) return "design.forbidden_arcs: ";
+  return {};
+}
+
 // The stages one after the other; ends early when one is interrupted.
 class Route {
  public:
@@ -117,14 +134,15 @@ io::TraceRow check_settling(io::Design& design) {
 core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& options) {
   const io::DesignSettings& settings = scene.design;
   const auto backend = optimize::find_backend(options.backends, settings.optimizer);
-  if (!backend) return core::Error{scene.name, "design.optimizer: " + backend.error().message};
+  if (!backend) return core::Error{scene.source, "design.optimizer: " + backend.error().message};
   const auto prepared = prepare(scene);
   if (!prepared) return prepared.error();
   for (const auto& sentence : prepared->left_out)
     say(options, core::Level::debug, "left out: " + sentence);
   const auto candidates =
       sparsify::candidates(prepared->structure, prepared->target.points, prepared->rules);
-  if (!candidates) return core::Error{scene.name, candidates.error().text()};
+  if (!candidates)
+    return core::Error{scene.source, key_that_forbids(*prepared) + candidates.error().message};
 
   const sensitivity::Target& target = prepared->target;
   const sparsify::Control control{.stop = options.stop, .progress = options.progress};

@@ -82,7 +82,7 @@ std::optional<core::Error> check_anchors(const io::Scene& scene) {
     else
       message << "vertex " << outside.point << " of rod " << (&rod - scene.rods.data()) << " is "
               << outside.distance << ' ' << scene.length_unit << " outside";
-    return core::Error{scene.name, message.str()};
+    return core::Error{scene.source, message.str()};
   }
   return {};
 }

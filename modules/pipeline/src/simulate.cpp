@@ -27,9 +27,9 @@ core::Expected<Simulation> simulate(const io::Design& design, const SimulateOpti
   if (options.cables == Cables::springs)
     for (std::size_t c = 0; c < design.cables.size(); ++c)
       if (!design.cables[c].stiffness || !design.cables[c].rest_length)
-        return core::Error{design.name,
-                           "cables[" + std::to_string(c) +
-                               "] has no stiffness and rest_length; simulate it as inextensible"};
+        return core::Error{"cables[" + std::to_string(c) + "]",
+                           "has no stiffness and rest_length to be a spring; give it both, or take "
+                           "the cables as inextensible"};
   const auto begin = std::chrono::steady_clock::now();
   const Units units = units_of(design);
   const equilibrium::Structure structure = structure_of(design, options.cables, units);

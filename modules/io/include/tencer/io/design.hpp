@@ -87,11 +87,13 @@ struct Design {
 // Errors: "file: key", such as "design.json: rods[1].rest_lengths".
 core::Expected<Design> read_design(const std::filesystem::path& path);
 
-// The text of the file, unchecked.
+// The text of the file, unchecked. All doubles round-trip.
 std::string design_text(const Design& design);
 
-// Makes the same checks first, so that no file is written that read_design refuses. All doubles
-// round-trip.
+// What read_design would refuse in the design's text; errors name `path`, which is not touched.
+std::optional<core::Error> design_problem(const std::filesystem::path& path, const Design& design);
+
+// Makes these checks first, so that no file is written that read_design refuses.
 std::optional<core::Error> write_design(const std::filesystem::path& path, const Design& design);
 
 // "complete", "tolerance-not-reached", "interrupted".

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tencer/core/error.hpp>
@@ -16,5 +17,19 @@ core::Expected<std::string> read_file(const std::filesystem::path& path);
 // `path`, so the path holds the old content or the new one. An Error when that was not possible;
 // the old file is then untouched and the temporary one gone.
 std::optional<core::Error> write_file(const std::filesystem::path& path, std::string_view text);
+
+struct NamedText {
+  std::string name;
+  std::string text;
+};
+
+// All of them into `folder`, which is made when it is not there. On an Error no old file is touched
+// and nothing new is left, no folder either.
+std::optional<core::Error> write_files(const std::filesystem::path& folder,
+                                       std::span<const NamedText> files);
+
+// Why write_files could not write into this folder, found by trying; leaves nothing behind. For
+// those who would rather know before they work for an hour.
+std::optional<core::Error> folder_problem(const std::filesystem::path& folder);
 
 }  // namespace tencer::io

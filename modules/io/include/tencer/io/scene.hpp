@@ -63,6 +63,7 @@ struct DesignSettings {
 
 struct Scene {
   std::string name;
+  std::string source;  // its file, with which errors begin
   std::string length_unit = "cm";
   std::string force_unit = "N";
   std::vector<SceneRod> rods;

@@ -22,7 +22,8 @@ struct TraceRow {
   std::string note;
 };
 
-// A header line and one line a row: commas, quotes as in RFC 4180, doubles that round-trip.
+// CSV: a header line and one line a row: commas, quotes as in RFC 4180, doubles that round-trip.
+std::string trace_text(std::span<const TraceRow> rows);
 std::optional<core::Error> write_trace(const std::filesystem::path& path,
                                        std::span<const TraceRow> rows);
 
