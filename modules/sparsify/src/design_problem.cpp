@@ -9,10 +9,6 @@
 namespace tencer::sparsify {
 namespace {
 
-bool is_root(const Variable& variable) {
-  return variable.parameter.kind == sensitivity::Kind::stiffness;
-}
-
 std::vector<sensitivity::Parameter> parameters_of(const std::vector<Variable>& variables) {
   std::vector<sensitivity::Parameter> parameters;
   for (const auto& variable : variables) parameters.push_back(variable.parameter);
@@ -31,7 +27,7 @@ DesignProblem::DesignProblem(const Network& network, const sensitivity::Target& 
       start_(sensitivity::values(cables_, parameters_)) {
   for (Eigen::Index i = 0; i < start_.size(); ++i) {
     const Variable& variable = setup_.variables[i];
-    start_[i] = (is_root(variable) ? std::sqrt(start_[i]) : start_[i]) / variable.scale;
+    start_[i] = (is_stiffness(variable) ? std::sqrt(start_[i]) : start_[i]) / variable.scale;
   }
   ++solves_;
   iterations_ += tracker_.first().iterations;
@@ -42,7 +38,7 @@ Eigen::VectorXd DesignProblem::parameter_values(const Eigen::VectorXd& p) const 
   for (Eigen::Index i = 0; i < v.size(); ++i) {
     const Variable& variable = setup_.variables[i];
     v[i] *= variable.scale;
-    if (is_root(variable)) v[i] *= v[i];
+    if (is_stiffness(variable)) v[i] *= v[i];
   }
   return v;
 }
@@ -51,7 +47,7 @@ Eigen::VectorXd DesignProblem::rates(const Eigen::VectorXd& p) const {
   Eigen::VectorXd rates(p.size());
   for (Eigen::Index i = 0; i < p.size(); ++i) {
     const Variable& variable = setup_.variables[i];
-    rates[i] = is_root(variable) ? 2 * p[i] * variable.scale * variable.scale : variable.scale;
+    rates[i] = is_stiffness(variable) ? 2 * p[i] * variable.scale * variable.scale : variable.scale;
   }
   return rates;
 }
@@ -60,7 +56,7 @@ Eigen::VectorXd DesignProblem::rate_changes() const {
   Eigen::VectorXd changes(static_cast<Eigen::Index>(setup_.variables.size()));
   for (Eigen::Index i = 0; i < changes.size(); ++i) {
     const Variable& variable = setup_.variables[i];
-    changes[i] = is_root(variable) ? 2 * variable.scale * variable.scale : 0.0;
+    changes[i] = is_stiffness(variable) ? 2 * variable.scale * variable.scale : 0.0;
   }
   return changes;
 }

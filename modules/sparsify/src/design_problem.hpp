@@ -24,6 +24,10 @@ struct Variable {
   double sparsity = 0.0;  // the objective's slope in p
 };
 
+inline bool is_stiffness(const Variable& variable) {
+  return variable.parameter.kind == sensitivity::Kind::stiffness;
+}
+
 struct DesignSetup {
   std::vector<Variable> variables{};
   double distance_scale = 1.0;    // the objective is T / distance_scale + sparsity

@@ -19,8 +19,13 @@ struct Effort {
 // the shape counts as a jump.
 sensitivity::TrackerOptions follow_options(const Control& control);
 
-// The network without these cables: their stiffness goes to zero in steps that the equilibrium can
-// be followed along. none when it cannot.
+// The network with its cables at `goal` (the same ones with other stiffness and attachments), less
+// those whose stiffness is zero there: cables change in steps that the equilibrium can be followed
+// along. none when it cannot.
+std::optional<Network> moved(const Network& network, const std::vector<springs::Cable>& goal,
+                             const Control& control, Effort& effort);
+
+// The same with only these cables changed, to stiffness zero.
 std::optional<Network> without(const Network& network, const std::vector<int>& cables,
                                const Control& control, Effort& effort);
 

@@ -1,4 +1,4 @@
-// What taking out a cable is predicted to cost.
+// What taking out a cable is predicted to cost, and how the others make up for it.
 #pragma once
 
 #include <tencer/sensitivity/target.hpp>
@@ -9,10 +9,17 @@
 
 namespace tencer::sparsify {
 
-// Cables in the order of the distance T that is predicted without them: of the true equilibrium
-// without the cable, less what refitting the others gains to first order. Cables without which the
-// equilibrium cannot be followed in one step come last.
-std::vector<int> by_removal_cost(const Network& network, const sensitivity::Target& target,
-                                 const RefineSetup& setup, const Control& control, Effort& effort);
+struct Removal {
+  int cable = 0;
+  double cost = 0.0;  // the distance T predicted, relative to the setup's percent
+  // All cables as they are predicted to serve best, `cable` with no stiffness.
+  std::vector<springs::Cable> refitted{};
+};
+
+// The removals of single cables, cheapest first: of the true equilibrium without the cable, less
+// what refitting the others gains in a damped Gauss-Newton step. Cables without which the
+// equilibrium cannot be followed in one step are left out.
+std::vector<Removal> removals(const Network& network, const sensitivity::Target& target,
+                              const RefineSetup& setup, const Control& control, Effort& effort);
 
 }  // namespace tencer::sparsify

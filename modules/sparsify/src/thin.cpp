@@ -22,9 +22,10 @@ StageResult thin(const Network& network, const sensitivity::Target& target, cons
                           .least_eigenvalue = least_eigenvalue(network, options.outer),
                           .rules = rules};
 
-  const auto attempt = [&](int cable) -> std::optional<Network> {
+  const auto attempt = [&](const Removal& removal) -> std::optional<Network> {
     Effort effort;
-    auto left = without(result.network, {cable}, control, effort);
+    auto left = moved(result.network, removal.refitted, control, effort);
+    if (!left) left = without(result.network, {removal.cable}, control, effort);
     if (left) left = pulling_only(std::move(*left), control, effort);
     if (left) {
       Refined refined = refine(*left, target, setup, backend, options.outer, control, effort);
@@ -38,12 +39,12 @@ StageResult thin(const Network& network, const sensitivity::Target& target, cons
   };
   const auto take_one_out = [&] {
     Effort effort;
-    auto order = by_removal_cost(result.network, target, setup, control, effort);
+    auto order = removals(result.network, target, setup, control, effort);
     clock.count(effort);
     order.resize(std::min(order.size(), static_cast<std::size_t>(options.tries)));
-    for (const int cable : order) {
+    for (const auto& removal : order) {
       if (clock.stopped()) return false;
-      if (auto left = attempt(cable)) {
+      if (auto left = attempt(removal)) {
         result.network = std::move(*left);
         return true;
       }
