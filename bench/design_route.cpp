@@ -1,5 +1,6 @@
 // The paper's route from target to network on a published model, stage by stage.
-// Usage: bench_design_route FOLDER MODEL OPTIMIZER
+// Usage: bench_design_route FOLDER MODEL OPTIMIZER [MAX_PERCENT]
+// MAX_PERCENT, the distance accepted, is by default that of the published design.
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -56,8 +57,8 @@ sparsify::Network show(const sparsify::StageResult& result) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    std::fprintf(stderr, "usage: bench_design_route FOLDER MODEL OPTIMIZER\n");
+  if (argc != 4 && argc != 5) {
+    std::fprintf(stderr, "usage: bench_design_route FOLDER MODEL OPTIMIZER [MAX_PERCENT]\n");
     return 2;
   }
   const auto found = optimize::find_backend(backends(), argv[3]);
@@ -89,8 +90,7 @@ int main(int argc, char** argv) {
   network = show(sparsify::decimate(network, target));
   const auto rest = sparsify::smallest_stable_rest_length(network);
   std::printf("rest length %.2f, eigenvalue %.3g\n", rest.rho, rest.smallest_eigenvalue);
-  const double tolerance =
-      getenv("TOL") ? atof(getenv("TOL")) : std::max(1.0, 1.5 * model.max_error_percent);
+  const double tolerance = argc == 5 ? std::stod(argv[4]) : model.max_error_percent;
   network = show(sparsify::sparsify(network, target, backend, {.max_percent = tolerance}));
   network = show(sparsify::slide(network, target, rules, backend));
   network = show(sparsify::thin(network, target, rules, backend, {.max_percent = tolerance}));

@@ -1,88 +1,82 @@
 #include "removal_cost.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <utility>
 
-#include "design_variables.hpp"
+#include "refit.hpp"
 
 namespace tencer::sparsify {
 namespace {
 
-constexpr double largest_step = 0.5;  // of a variable
+constexpr int refit_steps = 40;  // of a cable that is taken out gradually
 
-// The damped Gauss-Newton step of the variables, and the distance that remains, both with the
-// variable `fixed` held.
-struct Refit {
-  Eigen::VectorXd step;
-  double distance = 0.0;
-};
-
-Refit refit(Eigen::MatrixXd jacobian, const Eigen::VectorXd& residual, Eigen::Index fixed) {
-  // A step of one (a stiffness gone, an attachment moved by an edge) costs a hundredth of the
-  // distance that is accepted: steps beyond the reach of the linear model do not pay.
-  constexpr double damping = 1e-2;
-  jacobian.col(fixed).setZero();
-  Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
-  normal.diagonal().array() += damping;
-  const Eigen::VectorXd slope = jacobian.transpose() * residual;
-  Refit result{.step = -normal.ldlt().solve(slope)};
-  result.distance = residual.squaredNorm() + slope.dot(result.step);
-  return result;
+bool usable(const sensitivity::Trial& trial, const sensitivity::Tracker& tracker, Effort& effort) {
+  effort.solves += trial.solves;
+  effort.iterations += trial.equilibrium.iterations;
+  return trial.usable() && tracker.trial().linearisation.regular;
 }
 
 }  // namespace
 
 std::vector<Removal> removals(const Network& network, const sensitivity::Target& target,
                               const RefineSetup& setup, const Control& control, Effort& effort) {
-  const auto& cables = network.structure.cables;
-  const auto variables = design_variables(network, setup, 0.0);
-  const auto size = static_cast<Eigen::Index>(variables.size());
-  std::vector<sensitivity::Parameter> parameters;
-  for (const auto& variable : variables) parameters.push_back(variable.parameter);
-  const Eigen::VectorXd now = sensitivity::values(cables, parameters);
-  // Stiffnesses count by their roots, as in the optimization.
-  Eigen::VectorXd rates(size);
-  for (Eigen::Index i = 0; i < size; ++i)
-    rates[i] = is_stiffness(variables[i]) ? 2 * std::sqrt(now[i]) * variables[i].scale
-                                          : variables[i].scale;
-  const auto stepped = [&](const Eigen::VectorXd& step) {
-    Eigen::VectorXd values(size);
-    for (Eigen::Index i = 0; i < size; ++i) {
-      const Variable& variable = variables[i];
-      const bool root = is_stiffness(variable);
-      const double p = (root ? std::sqrt(now[i]) : now[i]) / variable.scale +
-                       std::clamp(step[i], -largest_step, largest_step);
-      const double value = std::clamp(p, variable.lower, variable.upper) * variable.scale;
-      values[i] = root ? value * value : value;
-    }
-    return sensitivity::with_values(cables, parameters, values);
-  };
-
   std::vector<Removal> result;
   sensitivity::Tracker tracker(network.structure, network.state, follow_options(control));
   if (!tracker.first().usable() || !tracker.committed().linearisation.regular) return result;
-  const double root_unit = std::sqrt(distance_scale(target, setup.percent));
-  for (int i = 0; i < static_cast<int>(cables.size()) && !control.stop.stop_requested(); ++i) {
-    auto changed = cables;
-    changed[i].stiffness = 0;
-    const auto trial = tracker.evaluate(changed);
-    effort.solves += trial.solves;
-    effort.iterations += trial.equilibrium.iterations;
-    const auto& at = tracker.trial();
-    if (!trial.usable() || !at.linearisation.regular) continue;
-    const auto fit = sensitivity::least_squares(
-        sensitivity::Distance(target, at.system, at.state),
-        sensitivity::state_derivatives(at, parameters));
-    const Refit best =
-        refit(fit.jacobian * rates.asDiagonal() / root_unit, fit.residual / root_unit, i);
-    changed = stepped(best.step);
-    changed[i].stiffness = 0;
-    result.push_back({.cable = i, .cost = best.distance, .refitted = std::move(changed)});
+  const Refitter refitter(network, target, setup);
+  const Eigen::VectorXd tensions = cable_tensions(network);
+  for (int i = 0; i < static_cast<int>(tensions.size()) && !control.stop.stop_requested(); ++i) {
+    Removal removal{.cable = i,
+                    .cost = std::numeric_limits<double>::infinity(),
+                    .refitted = network.structure.cables};
+    removal.refitted[i].stiffness = 0;
+    if (usable(tracker.evaluate(removal.refitted), tracker, effort)) {
+      auto refit = refitter.at(tracker.trial(), i);
+      removal.cost = refit.distance;
+      removal.refitted = std::move(refit.cables);
+    }
+    result.push_back(std::move(removal));
   }
-  std::ranges::stable_sort(result, {}, &Removal::cost);
+  std::ranges::sort(result, [&](const Removal& a, const Removal& b) {
+    return std::pair(a.cost, tensions[a.cable]) < std::pair(b.cost, tensions[b.cable]);
+  });
   return result;
+}
+
+std::optional<Network> without_gradually(const Network& network, int cable,
+                                         const sensitivity::Target& target,
+                                         const RefineSetup& setup, const Control& control,
+                                         Effort& effort) {
+  constexpr double faint = 0.02;  // share of the stiffness that may be dropped at once
+  sensitivity::Tracker tracker(network.structure, network.state, follow_options(control));
+  if (!tracker.first().usable() || !tracker.committed().linearisation.regular) return std::nullopt;
+  const Refitter refitter(network, target, setup);
+  const auto try_and_commit = [&](const std::vector<springs::Cable>& cables) {
+    const bool followed = usable(tracker.evaluate(cables), tracker, effort);
+    if (followed) tracker.commit();
+    return followed;
+  };
+  const double full = network.structure.cables[cable].stiffness;
+  double factor = 0.5;
+  for (int step = 0; step < refit_steps && !control.stop.stop_requested(); ++step) {
+    auto cables = tracker.committed().cables();
+    const double present = cables[cable].stiffness;
+    if (present < faint * full) {
+      Network there{network.structure, tracker.committed().state};
+      there.structure.cables = std::move(cables);
+      return without(there, {cable}, control, effort);
+    }
+    cables[cable].stiffness = factor * present;
+    if (!try_and_commit(cables)) {
+      factor = (1 + factor) / 2;
+      if (factor > 0.95) return std::nullopt;
+      continue;
+    }
+    try_and_commit(refitter.at(tracker.committed(), cable).cables);
+    factor = std::max(0.5, 2 * factor - 1);
+  }
+  return std::nullopt;
 }
 
 }  // namespace tencer::sparsify

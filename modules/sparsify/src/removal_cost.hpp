@@ -1,6 +1,7 @@
 // What taking out a cable is predicted to cost, and how the others make up for it.
 #pragma once
 
+#include <optional>
 #include <tencer/sensitivity/target.hpp>
 #include <tencer/sparsify/network.hpp>
 #include <vector>
@@ -18,8 +19,15 @@ struct Removal {
 
 // The removals of single cables, cheapest first: of the true equilibrium without the cable, less
 // what refitting the others gains in a damped Gauss-Newton step. Cables without which the
-// equilibrium cannot be followed in one step are left out.
+// equilibrium cannot be followed in one step cost an unknown amount and come last, by tension.
 std::vector<Removal> removals(const Network& network, const sensitivity::Target& target,
                               const RefineSetup& setup, const Control& control, Effort& effort);
+
+// The network without a cable that cannot be dropped at once: its stiffness is lowered in steps,
+// all others refitted at each. none when the equilibrium is lost all the same.
+std::optional<Network> without_gradually(const Network& network, int cable,
+                                         const sensitivity::Target& target,
+                                         const RefineSetup& setup, const Control& control,
+                                         Effort& effort);
 
 }  // namespace tencer::sparsify

@@ -9,6 +9,12 @@
 #include "stage_clock.hpp"
 
 namespace tencer::sparsify {
+namespace {
+
+// RestLengthOptions::margin while cables are taken out.
+constexpr double stiff = 0.5;
+
+}  // namespace
 
 StageResult thin(const Network& network, const sensitivity::Target& target, const Rules& rules,
                  const optimize::Backend& backend, const ThinOptions& options,
@@ -25,7 +31,8 @@ StageResult thin(const Network& network, const sensitivity::Target& target, cons
   const auto attempt = [&](const Removal& removal) -> std::optional<Network> {
     Effort effort;
     auto left = moved(result.network, removal.refitted, control, effort);
-    if (!left) left = without(result.network, {removal.cable}, control, effort);
+    if (!left)
+      left = without_gradually(result.network, removal.cable, target, setup, control, effort);
     if (left) left = pulling_only(std::move(*left), control, effort);
     if (left) {
       Refined refined = refine(*left, target, setup, backend, options.outer, control, effort);
@@ -39,6 +46,9 @@ StageResult thin(const Network& network, const sensitivity::Target& target, cons
   };
   const auto take_one_out = [&] {
     Effort effort;
+    // Stiff springs hold on to the shape while one of them goes.
+    const auto rest = smallest_stable_rest_length(result.network, {.margin = stiff});
+    if (rest.stable) result.network = rebased(std::move(result.network), rest.rho);
     auto order = removals(result.network, target, setup, control, effort);
     clock.count(effort);
     order.resize(std::min(order.size(), static_cast<std::size_t>(options.tries)));
