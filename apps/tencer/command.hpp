@@ -19,6 +19,9 @@ enum class ExitCode {
 // The Error goes to stderr on one line, and the program exits with bad_input.
 using Command = std::function<core::Expected<ExitCode>(const core::Log&)>;
 
+// The check of an option that is a finite number above zero (CLI11's own lets NaN pass).
+CLI::Validator positive_number();
+
 void add_design(CLI::App& app, Command& chosen);
 void add_simulate(CLI::App& app, Command& chosen);
 void add_target(CLI::App& app, Command& chosen);

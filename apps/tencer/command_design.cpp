@@ -5,6 +5,7 @@
 #include <optional>
 #include <sstream>
 #include <tencer/io/curve.hpp>
+#include <tencer/io/file.hpp>
 #include <tencer/io/scene.hpp>
 #include <tencer/pipeline/design.hpp>
 
@@ -55,31 +56,68 @@ std::function<void(const sparsify::Progress&)> progress_lines(const core::Log& l
   };
 }
 
+// Options in place of the scene's keys.
+std::optional<core::Error> apply(const DesignRequest& request, io::DesignSettings& settings) {
+  if (request.optimizer) {
+    const auto known = optimize::find_backend(pipeline::backends(), *request.optimizer);
+    if (!known) return core::Error{"--optimizer", known.error().message};
+    settings.optimizer = *request.optimizer;
+  }
+  if (request.hessian) {
+    if (settings.optimizer != "ipopt")
+      return core::Error{"--hessian", "belongs to the optimizer ipopt; " + settings.optimizer +
+                                          " uses gradients only"};
+    settings.hessian = *request.hessian;
+  }
+  if (request.max_error) settings.max_error = *request.max_error;
+  return std::nullopt;
+}
+
+// Why a design that ran to its end is not complete.
+std::string shortfall(const io::Design& design, double max_error) {
+  std::ostringstream text;
+  text << "not complete:";
+  if (design.error->max_percent > max_error)
+    text << " the max error is above the " << max_error << " % asked for;";
+  if (!design.certificate->stable) text << " it does not stand;";
+  if (!design.certificate->settles_from_target.value_or(true))
+    text << " let go at the target it comes to rest elsewhere;";
+  text << " design.json says so\n";
+  return text.str();
+}
+
 core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Log& log) {
   auto scene = read_input(request.input);
   if (!scene) return scene.error();
-  if (request.optimizer) scene->design.optimizer = *request.optimizer;
-  if (request.hessian) scene->design.hessian = *request.hessian;
-  if (request.max_error) scene->design.max_error = *request.max_error;
+  if (const auto error = apply(request, scene->design)) return *error;
+  const std::filesystem::path folder =
+      request.output.empty() ? std::filesystem::path(request.input.stem().string() + "-design")
+                             : request.output;
+  if (const auto error = io::folder_problem(folder)) return *error;
 
   const Interrupt interrupt;
   const auto design = pipeline::design(
       *scene, {.stop = interrupt.token(), .progress = progress_lines(log), .log = log});
   if (!design) return design.error();
 
-  const std::filesystem::path folder =
-      request.output.empty() ? std::filesystem::path(request.input.stem().string() + "-design")
-                             : request.output;
   if (const auto error = write_design_files(folder, *design)) return *error;
   std::cout << summary(*design);
   if (design->status == io::DesignStatus::interrupted)
     std::cout << "interrupted: this is the best design so far\n";
   else if (design->status == io::DesignStatus::tolerance_not_reached)
-    std::cout << "the tolerance of " << scene->design.max_error
-              << " % with a certificate was not reached\n";
+    std::cout << shortfall(*design, scene->design.max_error);
+  else if (design->cables.empty())
+    std::cout << "the rods rest in this shape by themselves\n";
   std::cout << "see " << (folder / "view.html").string() << '\n';
   return design->status == io::DesignStatus::complete ? ExitCode::ok
                                                       : ExitCode::tolerance_not_reached;
+}
+
+std::string backend_names() {
+  std::string names;
+  for (const auto& backend : pipeline::backends())
+    names += (names.empty() ? "" : ", ") + backend.name;
+  return names;
 }
 
 }  // namespace
@@ -92,15 +130,17 @@ void add_design(CLI::App& app, Command& chosen) {
   command->add_option("INPUT", request->input, "Scene (.toml) or target curve")->required();
   command->add_option("-o,--output", request->output, "Folder for the result [INPUT-design]");
   command->add_option("--optimizer", request->optimizer,
-                      "Outer optimizer: ipopt, mma, ccsaq [the scene's, else ipopt]");
+                      "Outer optimizer: " + backend_names() + " [the scene's, else " +
+                          io::DesignSettings{}.optimizer + "]");
   command
       ->add_option("--hessian", request->hessian,
-                   "What ipopt is told of curvature [the scene's, else gauss-newton]")
+                   "What ipopt is told of curvature [the scene's, else " +
+                       io::DesignSettings{}.hessian + "]")
       ->check(CLI::IsMember({"limited-memory", "gauss-newton", "exact"}));
   command
       ->add_option("--max-error", request->max_error,
                    "Largest distance to the target, % of its bounding-box diagonal [1]")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command->callback([&chosen, request] {
     chosen = [request](const core::Log& log) { return run_design(*request, log); };
   });

@@ -1,6 +1,7 @@
 // tencer simulate DESIGN: where a designed structure comes to rest.
 #include <iostream>
 #include <memory>
+#include <tencer/io/file.hpp>
 #include <tencer/pipeline/simulate.hpp>
 
 #include "command.hpp"
@@ -28,6 +29,8 @@ struct SimulateRequest {
 core::Expected<ExitCode> run_simulate(const SimulateRequest& request) {
   const auto design = io::read_design(request.input);
   if (!design) return design.error();
+  if (!request.output.empty())
+    if (const auto error = io::folder_problem(request.output)) return *error;
   const Interrupt interrupt;
   const auto result = pipeline::simulate(
       *design, {.start = request.from == "target" ? pipeline::Start::target : pipeline::Start::pose,
@@ -60,7 +63,7 @@ void add_simulate(CLI::App& app, Command& chosen) {
       ->check(CLI::IsMember({"springs", "inextensible"}))
       ->capture_default_str();
   command->add_option("--tolerance", request->tolerance, "Of forces, relative to the rods' own")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->capture_default_str();
   command->add_option("-o,--output", request->output, "Folder for the design at rest");
   command->callback([&chosen, request] {

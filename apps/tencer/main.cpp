@@ -23,6 +23,25 @@ void complain(std::string text) {
   std::cerr << "tencer: " << text << '\n';
 }
 
+// What is wrong with the command line, and whose help to read.
+std::string parse_message(const CLI::App& app, const CLI::ParseError& error) {
+  std::string help = "tencer";
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) {
+    command = command->get_subcommands().front();
+    help += " " + command->get_name();
+  }
+  std::string message = error.what();
+  const auto unread = app.remaining(true);
+  const auto known = command->get_subcommands({});
+  if (!known.empty() && !unread.empty()) {
+    message = "there is no '" + unread.front() + "' here; use one of ";
+    for (const CLI::App* one : known)
+      message += (one == known.front() ? "" : ", ") + one->get_name();
+  }
+  return message + " (see " + help + " --help)";
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Hold bent elastic rods in a chosen 3D shape with as few cables as possible.",
                "tencer");
@@ -46,7 +65,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& asked_for_help) {
     return app.exit(asked_for_help);
   } catch (const CLI::ParseError& error) {
-    complain(std::string(error.what()) + " (see tencer --help)");
+    complain(parse_message(app, error));
     return static_cast<int>(ExitCode::bad_input);
   }
   const core::Level least = verbose ? core::Level::debug

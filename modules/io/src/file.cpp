@@ -74,6 +74,11 @@ class MadeFolder {
     for (const fs::path& name : folder_) {
       part /= name;
       if (fs::create_directory(part, failure)) made_.push_back(part);
+      std::error_code ignored;
+      const auto found = fs::status(part, ignored);
+      if (fs::exists(found) && !fs::is_directory(found))
+        return core::Error{folder_.string(),
+                           "cannot be made a folder: " + part.string() + " is a file"};
       if (failure)
         return core::Error{folder_.string(), "cannot be made a folder: " + failure.message()};
     }

@@ -1,4 +1,4 @@
-#include <chrono>
+#include <algorithm>
 #include <sstream>
 #include <tencer/equilibrium/built.hpp>
 #include <tencer/pipeline/design.hpp>
@@ -8,6 +8,7 @@
 #include <tencer/sparsify/dense.hpp>
 #include <tencer/sparsify/slide.hpp>
 #include <tencer/sparsify/sparsify.hpp>
+#include <tencer/sparsify/thin.hpp>
 #include <utility>
 
 #include "record.hpp"
@@ -36,24 +37,32 @@ io::TraceRow trace_row(const sparsify::StageRow& row) {
           .note = row.note};
 }
 
-// "design.KEY: " when without this key's rules there would be cables, else nothing.
-std::string key_that_forbids(const Prepared& prepared) {
-  const auto allowed = [&](const sparsify::Rules& rules) {
+// What is wrong when there are no candidates: the error, with the key without whose rules there
+// would be some.
+std::string why_no_candidates(const io::Scene& scene, const Prepared& prepared,
+                              const core::Error& error) {
+  const auto allowed_but_for = [&](auto&& lift) {
+    sparsify::Rules rules = prepared.rules;
+    lift(rules);
     return sparsify::candidates(prepared.structure, prepared.target.points, rules).has_value();
   };
-  sparsify::Rules rules = prepared.rules;
-  rules.longest = sparsify::Rules{}.longest;
-  if (allowed(rules)) return "design.longest_cable: ";
-  rules = prepared.rules;
-  rules.pairs.reset();
-  if (allowed(rules)) return "design.rod_pairs: ";
-  rules = prepared.rules;
-  rules.forbidden.clear();
-  if (allowed(rules)) return "design.forbidden_arcs: ";
-  return {};
+  using sparsify::Rules;
+  if (allowed_but_for([](Rules& rules) { rules.longest = Rules{}.longest; }))
+    return "design.longest_cable: " + error.message;
+  if (allowed_but_for([](Rules& rules) { rules.pairs.reset(); }))
+    return "design.rod_pairs: " + error.message;
+  if (allowed_but_for([](Rules& rules) { rules.forbidden.clear(); })) {
+    const bool arcs = std::ranges::any_of(
+        scene.rods, [](const io::SceneRod& rod) { return !rod.forbidden_arcs.empty(); });
+    return std::string(arcs ? "design.forbidden_arcs: " : "design.forbidden_vertices: ") +
+           error.message;
+  }
+  if (!error.where.empty()) return error.message;  // vertices coincide
+  return "no cable is possible: the vertices are all neighbours on their rod, or held in place";
 }
 
-// The stages one after the other; ends early when one is interrupted.
+// The stages one after the other; ends early when one is interrupted, or leaves no cables: the rods
+// then rest without.
 class Route {
  public:
   Route(const DesignOptions& options, sparsify::StageResult start)
@@ -61,7 +70,7 @@ class Route {
 
   template <class Stage>
   Route& then(Stage&& stage) {
-    if (result_.interrupted) return *this;
+    if (result_.interrupted || result_.network.structure.cables.empty()) return *this;
     sparsify::StageResult next = stage(result_.network);
     for (const auto& row : next.trace) {
       std::ostringstream line;
@@ -142,7 +151,7 @@ core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& o
   const auto candidates =
       sparsify::candidates(prepared->structure, prepared->target.points, prepared->rules);
   if (!candidates)
-    return core::Error{scene.source, key_that_forbids(*prepared) + candidates.error().message};
+    return core::Error{scene.source, why_no_candidates(scene, *prepared, candidates.error())};
 
   const sensitivity::Target& target = prepared->target;
   const sparsify::Control control{.stop = options.stop, .progress = options.progress};
@@ -168,6 +177,10 @@ core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& o
       })
       .then([&](const auto& network) {
         return sparsify::slide(network, target, prepared->rules, *backend, outer, control);
+      })
+      .then([&](const auto& network) {
+        return sparsify::thin(network, target, prepared->rules, *backend,
+                              {.max_percent = settings.max_error, .outer = outer}, control);
       });
 
   const sparsify::StageResult& result = route.result();
@@ -175,12 +188,14 @@ core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& o
   record(result.network.structure, result.network.state, sparsify::cable_tensions(result.network),
          target, prepared->units, design);
   design.trace = route.take_trace();
+  if (result.interrupted) {
+    design.status = io::DesignStatus::interrupted;
+    return design;
+  }
   design.trace.push_back(check_settling(design));
   const bool reached = design.error->max_percent <= settings.max_error &&
                        design.certificate->stable && *design.certificate->settles_from_target;
-  design.status = result.interrupted ? io::DesignStatus::interrupted
-                  : reached          ? io::DesignStatus::complete
-                                     : io::DesignStatus::tolerance_not_reached;
+  design.status = reached ? io::DesignStatus::complete : io::DesignStatus::tolerance_not_reached;
   return design;
 }
 

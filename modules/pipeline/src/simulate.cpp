@@ -59,6 +59,10 @@ core::Expected<Simulation> simulate(const io::Design& design, const SimulateOpti
   simulation.residual = found.residual;
   simulation.moved_percent = moved_percent(target, poses, found.state);
   record(structure, found.state, tensions, target, units, simulation.design);
+  if (!simulation.usable())
+    simulation.design.status = found.reason == equilibrium::Reason::stopped
+                                   ? io::DesignStatus::interrupted
+                                   : io::DesignStatus::tolerance_not_reached;
   return simulation;
 }
 

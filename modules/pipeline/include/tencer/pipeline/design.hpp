@@ -16,15 +16,17 @@ namespace tencer::pipeline {
 
 struct DesignOptions {
   std::vector<optimize::Backend> backends = pipeline::backends();
-  std::stop_token stop{};  // the best design so far is returned, marked as interrupted
+  // The best design so far is returned, marked as interrupted and without the last check.
+  std::stop_token stop{};
   std::function<void(const sparsify::Progress&)> progress{};  // may be empty
   core::Log log{};                                            // may be empty
 };
 
-// Dense springs, pruning, greedy decimation, sparsification, sliding; then the certificate of the
+// Dense springs, pruning, greedy decimation, sparsification, sliding, thinning; then the certificate of the
 // built form, with inextensible cables, and a check that it settles from the target into the
-// reported pose. Errors name the scene and the key: an optimizer that is not in the build, rules
-// that allow no cable, a rod that crosses itself.
+// reported pose. A target in which the rods rest by themselves has a design without cables. Errors
+// name the scene's file and the key: an optimizer that is not in the build, rules that allow no
+// cable, a rod that crosses itself, anchors that do not enclose the target.
 core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& options = {});
 
 }  // namespace tencer::pipeline

@@ -19,7 +19,9 @@ struct SimulateOptions {
 };
 
 struct Simulation {
-  io::Design design{};  // the input with the pose, tensions, error and certificate found
+  // The input with the pose, tensions, error and certificate found; its status tells when the state
+  // is not usable.
+  io::Design design{};
   equilibrium::Reason reason = equilibrium::Reason::iteration_limit;
   int unknowns = 0;
   int iterations = 0;

@@ -1,0 +1,17 @@
+#include "command.hpp"
+
+#include <cmath>
+
+namespace tencer::app {
+
+CLI::Validator positive_number() {
+  return {[](std::string& text) {
+            double value = 0;
+            const bool fine =
+                CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0;
+            return fine ? std::string() : "expected a positive number, found " + text;
+          },
+          "POSITIVE"};
+}
+
+}  // namespace tencer::app
