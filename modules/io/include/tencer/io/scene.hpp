@@ -49,7 +49,7 @@ struct SceneRod {
 struct DesignSettings {
   std::string method = "dense-springs";
   std::string optimizer = "ipopt";         // ipopt, mma, ccsaq
-  std::string hessian = "limited-memory";  // limited-memory, gauss-newton, exact; ipopt only
+  std::string hessian = "gauss-newton";  // limited-memory, gauss-newton, exact; ipopt only
   double max_error = 1.0;                  // percent of the bounding-box diagonal
   // Cables only within these pairs of rods; [i, i] is within a rod. None: all pairs.
   std::optional<std::vector<std::array<int, 2>>> rod_pairs = std::nullopt;
