@@ -57,7 +57,7 @@ TEST_CASE("a scene of one line has defaults for all else") {
   CHECK_FALSE(scene.planar);
   CHECK(scene.design.method == "dense-springs");
   CHECK(scene.design.optimizer == "ipopt");
-  CHECK(scene.design.hessian == "limited-memory");
+  CHECK(scene.design.hessian == "gauss-newton");
   CHECK(scene.design.max_error == 1.0);
   CHECK_FALSE(scene.design.rod_pairs);
   CHECK_FALSE(scene.design.longest_cable);
