@@ -13,11 +13,16 @@ void check(const System& system, Linearisation& at, bool regular) {
   at.negative = regular ? at.factor.inertia().negative - system.saddle_unknowns() : 0;
 }
 
+bool same_pattern(const linalg::SymmetricMatrix& a, const linalg::SymmetricMatrix& b) {
+  return a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
+         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
 // Fills at.matrix with the Hessian, with these forces in its geometric part, and anchors it.
 void fill(const System& system, const State& state, const InternalForces& forces,
           Linearisation& at) {
-  if (at.matrix.rows() != system.size() || at.matrix.nonZeros() != system.pattern().nonZeros())
-    at.matrix = system.pattern();
+  if (!same_pattern(at.matrix, system.pattern())) at.matrix = system.pattern();
   system.hessian(state, forces, at.matrix);
   anchor(system, at.rigid, at.matrix);
 }
