@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "finish_curve.hpp"
 #include "text.hpp"
 
 namespace tencer::io {
@@ -34,6 +35,20 @@ void check_count(const JsonValue& value, long found, int expected, const std::st
                std::to_string(found));
 }
 
+// A rod's target or pose.
+Eigen::Matrix3Xd read_shape(const JsonValue& value, bool closed) {
+  Eigen::Matrix3Xd points = value.points();
+  const int least = closed ? 3 : 2;
+  if (points.cols() < least)
+    value.fail("expected at least " + std::to_string(least) + " points, found " +
+               std::to_string(points.cols()));
+  if (const auto bad = bad_edge({points, closed}))
+    value.items()[bad->from].fail(bad->no_length
+                                      ? "zero-length edge: the next point is the same"
+                                      : "the rod turns straight back here, which none can follow");
+  return points;
+}
+
 DesignRod read_rod(const JsonValue& value) {
   DesignRod rod;
   rod.closed = value["closed"].boolean();
@@ -43,13 +58,9 @@ DesignRod read_rod(const JsonValue& value) {
     value["EI"].fail("expected [a, b], found an array of " + std::to_string(bending.size()));
   rod.EI = {bending[0].positive(), bending[1].positive()};
   rod.GJ = value["GJ"].positive();
-  rod.target = value["target"].points();
+  rod.target = read_shape(value["target"], rod.closed);
+  rod.pose = read_shape(value["pose"], rod.closed);
   const int n = static_cast<int>(rod.target.cols());
-  const int least = rod.closed ? 3 : 2;
-  if (n < least)
-    value["target"].fail("expected at least " + std::to_string(least) + " points, found " +
-                         std::to_string(n));
-  rod.pose = value["pose"].points();
   check_count(value["pose"], rod.pose.cols(), n, "points, as in target");
   for (const JsonValue& item : value["rest_lengths"].items()) item.positive();
   rod.rest_lengths = value["rest_lengths"].numbers();

@@ -1,6 +1,6 @@
 #include "finish_curve.hpp"
 
-#include <Eigen/Geometry>
+#include <Eigen/Dense>
 #include <cmath>
 
 #include "bad_input.hpp"
@@ -13,6 +13,10 @@ constexpr double negligible = 1e-9;  // relative to the curve's bounding-box dia
 
 // 1 + cosine of the turning angle below which a turn counts as straight back.
 constexpr double straight_back = 1e-10;
+
+double negligible_length(const Eigen::Matrix3Xd& points) {
+  return negligible * (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+}
 
 }  // namespace
 
@@ -28,11 +32,11 @@ double coordinate(std::string_view field, const std::string& where) {
 geometry::Polyline finish_curve(const ListedCurve& curve) {
   int n = static_cast<int>(curve.points.size());
   if (n < 2) fail(curve.where, "a curve needs at least 2 points, found " + std::to_string(n));
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& point : curve.points) box.extend(point);
-  const double short_length = negligible * box.diagonal().norm();
+  geometry::Polyline result{Eigen::Matrix3Xd(3, n), false};
+  for (int i = 0; i < n; ++i) result.points.col(i) = curve.points[i];
 
-  const bool repeats = n > 2 && (curve.points.front() - curve.points.back()).norm() <= short_length;
+  const bool repeats = n > 2 && (curve.points.front() - curve.points.back()).norm() <=
+                                    negligible_length(result.points);
   if (repeats && curve.closed == false)
     fail(curve.where,
          "closed is false, but the last point repeats the first; set closed to true, or remove the "
@@ -43,22 +47,31 @@ geometry::Polyline finish_curve(const ListedCurve& curve) {
     fail(curve.where,
          "a closed curve needs at least 3 different points, found " + std::to_string(n));
 
-  geometry::Polyline result{Eigen::Matrix3Xd(3, n), closed};
-  for (int i = 0; i < n; ++i) result.points.col(i) = curve.points[i];
-  const Eigen::Matrix3Xd edges = geometry::edge_vectors(result);
-  for (int i = 0; i < result.edges(); ++i)
-    if (edges.col(i).norm() <= short_length)
-      fail(curve.where_of((i + 1) % n), "zero-length edge: " + curve.name_of((i + 1) % n) +
-                                            " repeats " + curve.name_of(i) +
-                                            "; remove one of them");
-  for (int i = closed ? 0 : 1; i < result.edges(); ++i) {
-    const Eigen::Vector3d before = edges.col((i + n - 1) % n).normalized();
-    if (1.0 + before.dot(edges.col(i).normalized()) < straight_back)
-      fail(curve.where_of(i),
-           "the curve turns straight back at " + curve.name_of(i) +
-               ", where no elastic rod can follow; remove this point or move it");
+  result.points.conservativeResize(3, n);
+  result.closed = closed;
+  if (const auto bad = bad_edge(result)) {
+    if (bad->no_length)
+      fail(curve.where_of(bad->to), "zero-length edge: " + curve.name_of(bad->to) + " repeats " +
+                                        curve.name_of(bad->from) + "; remove one of them");
+    fail(curve.where_of(bad->from),
+         "the curve turns straight back at " + curve.name_of(bad->from) +
+             ", where no elastic rod can follow; remove this point or move it");
   }
   return result;
+}
+
+std::optional<BadEdge> bad_edge(const geometry::Polyline& curve) {
+  const int n = curve.vertices();
+  const double short_length = negligible_length(curve.points);
+  const Eigen::Matrix3Xd edges = geometry::edge_vectors(curve);
+  for (int i = 0; i < curve.edges(); ++i)
+    if (edges.col(i).norm() <= short_length) return BadEdge{true, i, (i + 1) % n};
+  for (int i = curve.closed ? 0 : 1; i < curve.edges(); ++i) {
+    const Eigen::Vector3d before = edges.col((i + n - 1) % n).normalized();
+    if (1.0 + before.dot(edges.col(i).normalized()) < straight_back)
+      return BadEdge{false, i, (i + 1) % n};
+  }
+  return std::nullopt;
 }
 
 }  // namespace tencer::io

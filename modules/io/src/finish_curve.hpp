@@ -25,4 +25,13 @@ struct ListedCurve {
 // Throws BadInput for what curve.hpp calls an error.
 geometry::Polyline finish_curve(const ListedCurve& curve);
 
+// An edge that no elastic rod can follow: one of no length, or one that turns straight back along
+// the edge before it.
+struct BadEdge {
+  bool no_length = false;  // else straight back
+  int from = 0;            // its vertices
+  int to = 0;
+};
+std::optional<BadEdge> bad_edge(const geometry::Polyline& curve);
+
 }  // namespace tencer::io

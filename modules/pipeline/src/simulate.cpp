@@ -8,6 +8,8 @@
 namespace tencer::pipeline {
 namespace {
 
+constexpr double meeting = 1e-12;  // relative to the rods' total length
+
 // Largest distance between two states in % of the target's diagonal, aligned as the target is.
 double moved_percent(const sensitivity::Target& target, std::vector<Eigen::Matrix3Xd> from,
                      const equilibrium::State& to) {
@@ -37,6 +39,13 @@ core::Expected<Simulation> simulate(const io::Design& design, const SimulateOpti
   const auto poses = scaled_poses(design, units);
   equilibrium::State start =
       make_state(structure, options.start == Start::pose ? poses : target.points);
+
+  const equilibrium::System cables(structure);
+  for (std::size_t c = 0; c < structure.cables.size(); ++c)
+    if (equilibrium::span_of(cables.stencils()[c], start).norm() <= meeting)
+      return core::Error{"cables[" + std::to_string(c) + "]",
+                         "its ends are the same point at the start, so it has no direction; move "
+                         "one of them"};
 
   Simulation simulation{.design = design};
   equilibrium::Equilibrium found;

@@ -37,7 +37,8 @@ struct Simulation {
   }
 };
 
-// Errors: springs are asked for and a cable has no stiffness (the key is named).
+// Errors name the cable: springs are asked for and it has no stiffness, or its ends are the same
+// point at the start.
 core::Expected<Simulation> simulate(const io::Design& design, const SimulateOptions& options = {});
 
 }  // namespace tencer::pipeline

@@ -1,0 +1,36 @@
+# Curves that no design can be made for.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/run_tencer.cmake)
+
+# bad_curve(FILE CONTENT WHERE REMEDY)
+function(bad_curve file content where remedy)
+  file(WRITE ${WORK}/${file} "${content}")
+  refused("${where}: " "${remedy}" design ${file} -o out)
+endfunction()
+
+refused("none.obj: " "there is no such file" design none.obj -o out)
+file(MAKE_DIRECTORY ${WORK}/folder.obj)
+refused("folder.obj: " "a file is needed" design folder.obj -o out)
+bad_curve(mesh.stl "" "mesh.stl" "use .obj, .csv, .xyz, .txt or .json")
+
+bad_curve(empty.obj "" "empty.obj" "no vertices (v x y z)")
+bad_curve(number.obj "v 0 0 0\nv 1 x 0\n" "number.obj:2" "'x' is not a number")
+bad_curve(index.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 9\n" "index.obj:4" "use 1 to 3")
+bad_curve(face.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n" "face.obj:4" "l (line) elements")
+bad_curve(keyword.obj "v 0 0 0\nwv 1 0 0\n" "keyword.obj:2" "v (vertex) and l (line) elements")
+bad_curve(nan.csv "0 0 0\n1 nan 0\n1 1 0\n" "nan.csv:2" "not a finite number")
+bad_curve(two.csv "0, 0, 0\n1, 0\n" "two.csv:2" "3")
+bad_curve(broken.json "{\"curves\": [}" "broken.json:1" "is not valid JSON")
+
+bad_curve(point.xyz "0 0 0\n" "point.xyz:1" "needs at least 2 points")
+bad_curve(repeated.xyz "1 1 1\n1 1 1\n1 1 1\n" "repeated.xyz:1" "at least 3 different points")
+bad_curve(zero.xyz "0 0 0\n1 0 0\n1 0 0\n1 1 0\n" "zero.xyz:3" "zero-length edge")
+bad_curve(zero.obj "v 0 0 0\nv 1 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3 4\n" "zero.obj:5"
+  "remove one of them")
+bad_curve(back.xyz "0 0 0\n2 0 0\n1 0 0\n1 1 0\n" "back.xyz:2" "turns straight back")
+bad_curve(crossing.xyz "0 0 0\n1 1 0\n2 0 0\n1 -1 0\n0 0 1\n-1 -1 0\n1 1 0\n1 1 1\n"
+  "crossing.xyz" "vertex 1 of rod 0 and vertex 6 of rod 0 are the same point")
+bad_curve(open.json
+  "{\"curves\": [{\"closed\": false, \"points\": [[0,0,0], [1,0,0], [1,1,0], [0,0,0]]}]}"
+  "open.json: curves[0].points" "set closed to true, or remove the last point")
+bad_curve(strut.xyz "0 0 0\n1 0 0\n" "strut.xyz" "no cable is possible")

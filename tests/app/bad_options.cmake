@@ -1,0 +1,33 @@
+# Mistakes on the command line.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/run_tencer.cmake)
+
+run_tencer(target ellipse --vertices 24 -o ring.obj)
+expect_status(0)
+
+refused("A subcommand is required" "(see tencer --help)")
+refused("there is no 'desing' here" "use one of design, simulate, target" desing ring.obj)
+refused("INPUT is required" "(see tencer design --help)" design)
+refused("The following argument was not expected: --nosuch" "(see tencer design --help)"
+  design ring.obj -o out --nosuch)
+refused("The following argument was not expected: more.obj" "(see tencer design --help)"
+  design ring.obj more.obj -o out)
+foreach(value 0 -1 nan inf small)
+  refused("--max-error: " "expected a positive number, found ${value}"
+    design ring.obj -o out --max-error ${value})
+  refused("--tolerance: " "expected a positive number, found ${value}"
+    simulate design.json --tolerance ${value})
+endforeach()
+refused("--optimizer: " "this build has: " design ring.obj -o out --optimizer snopt)
+refused("--hessian: " "limited-memory,gauss-newton,exact" design ring.obj -o out --hessian full)
+refused("--from: " "pose" simulate design.json --from here)
+refused("--cables: " "inextensible" simulate design.json --cables ropes)
+if(MMA)
+  refused("--hessian: " "belongs to the optimizer ipopt"
+    design ring.obj -o out --optimizer mma --hessian exact)
+endif()
+
+# Where the result cannot be written is found out before the work.
+refused("ring.obj: " "cannot be made a folder: ring.obj is a file" design ring.obj -o ring.obj)
+refused("ring.obj/out: " "cannot be made a folder: ring.obj is a file"
+  design ring.obj -o ring.obj/out)

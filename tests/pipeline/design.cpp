@@ -1,0 +1,142 @@
+// Designs from start to end: what they claim is so, and stays so through the file and back to rest.
+#include <unistd.h>
+
+#include <filesystem>
+#include <set>
+#include <tencer/pipeline/simulate.hpp>
+
+#include "scenes.hpp"
+
+using namespace tencer;
+
+namespace {
+
+io::Design through_a_file(const io::Design& design) {
+  const auto path =
+      std::filesystem::temp_directory_path() / ("tencer-" + std::to_string(::getpid()) + ".json");
+  const auto failed = io::write_design(path, design);
+  if (failed) FAIL(failed->text());
+  const auto read = io::read_design(path);
+  std::filesystem::remove(path);
+  if (!read) FAIL(read.error().text());
+  return *read;
+}
+
+void check_rests_in_its_pose(const io::Design& design, const pipeline::SimulateOptions& options) {
+  const auto simulation = pipeline::simulate(design, options);
+  REQUIRE(simulation);
+  CHECK(simulation->usable());
+  CHECK(simulation->moved_percent <= 0.01);
+  CHECK(simulation->design.status == design.status);
+}
+
+}  // namespace
+
+TEST_CASE("a closed rod: the design stands, and rests where its file says") {
+  const io::Scene scene = trefoil_scene();
+  std::set<std::string> reported;
+  const io::Design design = designed(scene, {.progress = [&](const sparsify::Progress& progress) {
+                                       reported.insert(std::string(progress.stage));
+                                       CHECK(progress.cables > 0);
+                                       CHECK(progress.seconds >= 0);
+                                     }});
+
+  CHECK(design.status == io::DesignStatus::complete);
+  check_consistent(design);
+  CHECK(design.error->max_percent <= scene.design.max_error);
+  CHECK(design.certificate->stable);
+  CHECK(design.certificate->smallest_eigenvalue > 0);
+  CHECK(design.certificate->residual <= 1e-6);
+  CHECK(design.certificate->slack_cables == 0);
+  CHECK(design.certificate->settles_from_target == true);
+  CHECK(design.cables.size() < 40);  // of the 740 that its vertices have
+  CHECK(design.rods[0].target == scene.rods[0].target.points);
+
+  std::set<std::string> recorded;
+  for (const auto& row : design.trace) recorded.insert(row.stage);
+  for (const char* stage : {"prune", "greedy", "sparsify", "slide"}) {
+    CAPTURE(stage);
+    CHECK(reported.contains(stage));
+    CHECK(recorded.contains(stage));
+  }
+  CHECK(design.trace.back().stage == "settle");
+
+  const io::Design read = through_a_file(design);
+  CHECK(io::design_text(read) == io::design_text(design));
+  check_rests_in_its_pose(read, {.start = pipeline::Start::pose});
+  check_rests_in_its_pose(read, {.start = pipeline::Start::target});
+  check_rests_in_its_pose(read,
+                          {.start = pipeline::Start::pose, .cables = pipeline::Cables::springs});
+}
+
+TEST_CASE("the same scene gives the same design") {
+  const auto text = [] {
+    io::Design design = designed(ellipse_scene());
+    for (auto& row : design.trace) row.seconds = 0;
+    return io::design_text(design);
+  };
+  CHECK(text() == text());
+}
+
+TEST_CASE("every optimizer of the build finds a design") {
+  for (const auto& backend : pipeline::backends()) {
+    CAPTURE(backend.name);
+    io::Scene scene = ellipse_scene();
+    scene.design.optimizer = backend.name;
+    const io::Design design = designed(scene);
+    CHECK(design.status == io::DesignStatus::complete);
+    check_consistent(design);
+  }
+}
+
+TEST_CASE("rods that rest in the target need no cables") {
+  const auto curve = GENERATE(
+      geometry::circle(25, 24),
+      geometry::Polyline{(Eigen::Matrix3Xd(3, 4) << 0, 1, 2, 3, 0, 0, 0, 0, 0, 0, 0, 0).finished(),
+                         false});
+  CAPTURE(curve.closed);
+  const io::Design design = designed(scene_of({curve}));
+  CHECK(design.cables.empty());
+  CHECK(design.status == io::DesignStatus::complete);
+  check_consistent(design);
+}
+
+TEST_CASE("a tolerance that cannot be reached is said") {
+  io::Scene scene = ellipse_scene();
+  scene.design.max_error = 1e-9;
+  const io::Design design = designed(scene);
+  CHECK(design.status == io::DesignStatus::tolerance_not_reached);
+  check_consistent(design);
+}
+
+TEST_CASE("springs need a stiffness in the file") {
+  io::Design design = designed(ellipse_scene());
+  REQUIRE_FALSE(design.cables.empty());
+  design.cables.back().stiffness.reset();
+  design.cables.back().rest_length.reset();
+  const auto simulation = pipeline::simulate(design, {.cables = pipeline::Cables::springs});
+  REQUIRE_FALSE(simulation);
+  CHECK(simulation.error().where == "cables[" + std::to_string(design.cables.size() - 1) + "]");
+  CHECK(pipeline::simulate(design));
+}
+
+TEST_CASE("a simulation that cannot come to rest says so in its design") {
+  const io::Design design = designed(ellipse_scene());
+  pipeline::SimulateOptions options{.start = pipeline::Start::target};
+  SECTION("stopped") {
+    std::stop_source stop;
+    stop.request_stop();
+    options.solve.stop = stop.get_token();
+    const auto simulation = pipeline::simulate(design, options);
+    REQUIRE(simulation);
+    CHECK_FALSE(simulation->usable());
+    CHECK(simulation->design.status == io::DesignStatus::interrupted);
+  }
+  SECTION("out of iterations") {
+    options.solve.max_iterations = 1;
+    const auto simulation = pipeline::simulate(design, options);
+    REQUIRE(simulation);
+    CHECK_FALSE(simulation->usable());
+    CHECK(simulation->design.status == io::DesignStatus::tolerance_not_reached);
+  }
+}
