@@ -33,14 +33,15 @@ equilibrium::Reason settle(SpringSet& set) {
   }
 }
 
-StageResult finish(const SpringSet& set, const sensitivity::Target& target, StageClock& clock,
-                   equilibrium::Reason reason) {
+StageResult result_of(SpringSet& set, const sensitivity::Target& target, StageClock& clock,
+                      double tolerance) {
+  set.finish_with(tolerance);
+  const auto reason = settle(set);
   StageResult result{.network = set.network()};
-  result.interrupted = clock.stopped();
-  result.sound = is_sound(result.network);
   clock.count({.solves = set.solves(), .iterations = set.iterations()});
   result.trace.push_back(
       clock.row(result.network, target, usable(reason) ? "" : equilibrium::describe(reason)));
+  finish(result, target, clock);
   return result;
 }
 
@@ -58,9 +59,7 @@ StageResult prune(const Network& network, const sensitivity::Target& target,
   clock.report(static_cast<int>(network.structure.cables.size()), 0);
   SpringSet set(network, rough(control));
   settle(set);
-  set.set_tolerance(control.solve.tolerance);
-  const auto reason = settle(set);
-  return finish(set, target, clock, reason);
+  return result_of(set, target, clock, control.solve.tolerance);
 }
 
 StageResult decimate(const Network& network, const sensitivity::Target& target,
@@ -85,9 +84,7 @@ StageResult decimate(const Network& network, const sensitivity::Target& target,
     clock.report(set.count(), deviation.max_percent);
   }
   set.revert();
-  set.set_tolerance(control.solve.tolerance);
-  const auto reason = settle(set);
-  return finish(set, target, clock, reason);
+  return result_of(set, target, clock, control.solve.tolerance);
 }
 
 }  // namespace tencer::sparsify

@@ -65,8 +65,10 @@ bool DesignProblem::evaluate(const Eigen::VectorXd& p) {
   if (last_.size() == p.size() && last_ == p) return distance_.has_value();
   last_ = p;
   distance_.reset();
-  const auto trial =
-      tracker_.evaluate(sensitivity::with_values(cables_, parameters_, parameter_values(p)));
+  const auto cables = sensitivity::with_values(cables_, parameters_, parameter_values(p));
+  const auto& from = tracker_.committed();
+  if (!holds_as_before({from.system.structure(), from.state}, cables)) return false;
+  const auto trial = tracker_.evaluate(cables);
   solves_ += trial.solves;
   iterations_ += trial.equilibrium.iterations;
   if (!trial.usable()) return false;

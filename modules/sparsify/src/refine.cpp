@@ -93,7 +93,8 @@ Refined refine(const Network& network, const sensitivity::Target& target, const 
         from, target,
         {.variables = design_variables(from, setup, rest.rho),
          .distance_scale = distance_scale(target, setup.percent),
-         .longest = setup.rules.longest,
+         // A cable that is too long already must not keep the others from improving.
+         .longest = std::max(setup.rules.longest, cable_lengths(from).maxCoeff()),
          .least_eigenvalue = std::min(setup.least_eigenvalue, 0.5 * rest.smallest_eigenvalue),
          .all_pull = setup.external == 0 && setup.internal == 0,
          .exact = outer.second_derivatives == SecondDerivatives::exact},

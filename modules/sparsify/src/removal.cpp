@@ -1,6 +1,8 @@
 #include "removal.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <tencer/equilibrium/rigid_modes.hpp>
 #include <utility>
 
 namespace tencer::sparsify {
@@ -25,17 +27,42 @@ std::vector<springs::Cable> between(std::vector<springs::Cable> from,
   return from;
 }
 
+// Rigid motions of groups of rods that nothing holds back.
+Eigen::Index free_motions(const equilibrium::Structure& structure,
+                          const equilibrium::State& state) {
+  Eigen::Index count = 0;
+  for (const auto& modes : equilibrium::rigid_modes(equilibrium::System(structure), state))
+    count += modes.basis.cols();
+  return count;
+}
+
 }  // namespace
 
 sensitivity::TrackerOptions follow_options(const Control& control) {
   return {.tolerance = control.solve.tolerance,
           .max_correction = 1.0,
           .negligible = 5e-3,
+          .smallest_step = 1.0,
           .stop = control.stop};
+}
+
+bool holds_as_before(const Network& network, const std::vector<springs::Cable>& cables) {
+  constexpr double faint = 1e-6;  // of the largest stiffness, be it that of a rod
+  double strongest = 0;
+  for (const auto& rod : network.structure.rods)
+    strongest = std::max(strongest, rod.section.EI1 / std::pow(rod.length(), 3));
+  for (const auto& cable : cables) strongest = std::max(strongest, cable.stiffness);
+  equilibrium::Structure left = network.structure;
+  left.cables = cables;
+  std::erase_if(left.cables,
+                [&](const auto& cable) { return cable.stiffness <= faint * strongest; });
+  return left.cables.size() == cables.size() ||
+         free_motions(left, network.state) == free_motions(network.structure, network.state);
 }
 
 std::optional<Network> moved(const Network& network, const std::vector<springs::Cable>& goal,
                              const Control& control, Effort& effort) {
+  if (!holds_as_before(network, goal)) return std::nullopt;
   sensitivity::Tracker tracker(network.structure, network.state, follow_options(control));
   ++effort.solves;
   effort.iterations += tracker.first().iterations;
@@ -61,9 +88,6 @@ std::optional<Network> moved(const Network& network, const std::vector<springs::
   result.structure.cables = goal;
   std::erase_if(result.structure.cables, [](const auto& cable) { return cable.stiffness == 0; });
   if (result.structure.cables.empty()) return std::nullopt;
-  // Cables of no stiffness still hold groups of rods together in the solver's eyes.
-  if (equilibrium::groups(result.structure) != equilibrium::groups(network.structure))
-    return std::nullopt;
   return result;
 }
 

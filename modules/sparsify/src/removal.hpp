@@ -16,8 +16,13 @@ struct Effort {
 
 // How equilibria are followed while cables change. When an attachment passes a vertex the direction
 // of its cable turns, so predictions are off by as much as the motion; only what would be seen in
-// the shape counts as a jump.
+// the shape counts as a jump. Steps are not divided: optimizers and moved() shorten their own.
 sensitivity::TrackerOptions follow_options(const Control& control);
+
+// Whether `cables`, the network's with other stiffnesses, leave its rods no more rigid motions when
+// those with hardly any stiffness are left out. If they do, a rod comes loose and the solver, which
+// counts cables whatever their stiffness, meets a singular matrix.
+bool holds_as_before(const Network& network, const std::vector<springs::Cable>& cables);
 
 // The network with its cables at `goal` (the same ones with other stiffness and attachments), less
 // those whose stiffness is zero there: cables change in steps that the equilibrium can be followed

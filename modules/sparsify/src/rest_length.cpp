@@ -16,6 +16,18 @@ double eigenvalue_at(const Network& network, double rho) {
   return stability.smallest_eigenvalue;
 }
 
+// Rest lengths of 99 %, or the next of these with which the network is stable, the last when it is
+// with none.
+RestLength stiffest(const Network& network) {
+  RestLength result;
+  for (const double rho : {0.99, 0.999, 0.9999, 0.99999}) {
+    result = {.rho = rho, .smallest_eigenvalue = eigenvalue_at(network, rho)};
+    result.stable = result.smallest_eigenvalue > 0;
+    if (result.stable) break;
+  }
+  return result;
+}
+
 }  // namespace
 
 Network rebased(Network network, double rho) {
@@ -28,23 +40,23 @@ Network rebased(Network network, double rho) {
   return network;
 }
 
-double stiffest_eigenvalue(const Network& network) { return eigenvalue_at(network, 0.99); }
+double stiffest_eigenvalue(const Network& network) { return stiffest(network).smallest_eigenvalue; }
 
 RestLength smallest_stable_rest_length(const Network& network, const RestLengthOptions& options) {
   core::require(options.margin >= 0 && options.margin < 1,
                 "RestLengthOptions::margin must be in [0, 1)");
+  const RestLength limit = stiffest(network);
+  if (!limit.stable || limit.rho > 0.99) return limit;
+  const double wanted = std::max(options.margin * limit.smallest_eigenvalue,
+                                 std::min(options.least, 0.9 * limit.smallest_eigenvalue));
   const auto rho = [](int percent) { return percent / 100.0; };
-  const double stiffest = stiffest_eigenvalue(network);
-  if (!(stiffest > 0)) return {.rho = rho(99), .smallest_eigenvalue = stiffest, .stable = false};
-  const double wanted =
-      std::max(options.margin * stiffest, std::min(options.least, 0.9 * stiffest));
   const auto stable = [&](double eigenvalue) { return eigenvalue > 0 && eigenvalue >= wanted; };
 
   const double softest = eigenvalue_at(network, 0.0);
   if (stable(softest)) return {.rho = 0.0, .smallest_eigenvalue = softest, .stable = true};
   int unstable_percent = 0;
   int stable_percent = 99;
-  double eigenvalue = stiffest;
+  double eigenvalue = limit.smallest_eigenvalue;
   while (stable_percent - unstable_percent > 1) {
     const int middle = (stable_percent + unstable_percent) / 2;
     const double there = eigenvalue_at(network, rho(middle));

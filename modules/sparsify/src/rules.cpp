@@ -142,6 +142,8 @@ core::Expected<std::vector<springs::Cable>> candidates(
   for (const auto& rod : structure.rods)
     touching = std::min(touching, 1e-6 * rod.rest_lengths.minCoeff());
 
+  // Lengths change a little until the design is done; this leaves room for it.
+  const double longest = 0.99 * rules.longest;
   std::vector<springs::Cable> cables;
   bool any_pair = false;
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -152,7 +154,7 @@ core::Expected<std::vector<springs::Cable>> candidates(
       if ((a.held && b.held) || are_neighbours(structure, a, b)) continue;
       any_pair = true;
       const double length = (at(b) - at(a)).norm();
-      if (length > rules.longest) continue;
+      if (length > longest) continue;
       if (length < touching)
         return coincidence(a, name_of(b), "use a target that keeps clear of itself");
       cables.push_back({.a = springs::OnRod{a.rod, a.s}, .b = springs::OnRod{b.rod, b.s}});
@@ -162,7 +164,7 @@ core::Expected<std::vector<springs::Cable>> candidates(
       for (int anchor = 0; anchor < structure.anchors.cols() && !a.held; ++anchor) {
         any_pair = true;
         const double length = (structure.anchors.col(anchor) - at(a)).norm();
-        if (length > rules.longest) continue;
+        if (length > longest) continue;
         if (length < touching)
           return coincidence(a, "anchors[" + std::to_string(anchor) + "]",
                              "pin the vertex, or move the anchor");

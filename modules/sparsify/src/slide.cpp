@@ -12,6 +12,7 @@ StageResult slide(const Network& network, const sensitivity::Target& target, con
                   const Control& control) {
   validate(rules, network.structure);
   StageClock clock("slide", control);
+  if (auto refusal = refused(network, target, clock)) return std::move(*refusal);
   const auto before = sensitivity::deviation(target, network.state);
   // The objective is of order one at the start.
   const RefineSetup setup{.percent = std::max(before.rms_percent, 1e-6),
@@ -22,9 +23,8 @@ StageResult slide(const Network& network, const sensitivity::Target& target, con
   Refined refined = refine(network, target, setup, backend, outer, control, effort);
   clock.count(effort);
   StageResult result{.network = std::move(refined.network)};
-  result.interrupted = clock.stopped();
-  result.sound = is_sound(result.network);
   result.trace.push_back(clock.row(result.network, target, refined.note));
+  finish(result, target, clock);
   return result;
 }
 

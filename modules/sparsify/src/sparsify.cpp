@@ -24,11 +24,13 @@ StageResult sparsify(const Network& network, const sensitivity::Target& target,
                      const Control& control) {
   core::require(options.max_percent > 0, "SparsifyOptions::max_percent must be positive");
   StageClock clock("sparsify", control);
+  if (auto refusal = refused(network, target, clock)) return std::move(*refusal);
   StageResult result{.network = network};
   const Eigen::VectorXd q = force_densities(network);
   RefineSetup setup{.percent = options.max_percent,
                     .reference = q.mean(),
-                    .least_eigenvalue = least_eigenvalue(network, options.outer)};
+                    .least_eigenvalue = least_eigenvalue(network, options.outer),
+                    .rules = {.longest = options.longest}};
   // mean of sqrt(q) over the cables there are at the start
   const double unit = options.unit / static_cast<double>(q.size());
 
@@ -71,8 +73,7 @@ StageResult sparsify(const Network& network, const sensitivity::Target& target,
     }
     if (external) setup.external = good * unit;
   }
-  result.interrupted = clock.stopped();
-  result.sound = is_sound(result.network);
+  finish(result, target, clock);
   return result;
 }
 

@@ -19,7 +19,11 @@ class SpringSet {
   // Tension of every spring at the state; that of springs taken out is infinite.
   Eigen::VectorXd tensions() const;
 
-  void set_tolerance(double tolerance) { options_.tolerance = tolerance; }
+  // From now on equilibria are this accurate, and solved for also after a request to stop.
+  void finish_with(double tolerance) {
+    options_.tolerance = tolerance;
+    options_.stop = {};
+  }
   // Takes springs out; solve() then finds the equilibrium from the present state.
   void take_out(const std::vector<int>& springs);
   equilibrium::Reason solve();

@@ -40,12 +40,35 @@ StageRow StageClock::row(const Network& network, const sensitivity::Target& targ
   return row;
 }
 
-bool is_sound(const Network& network) {
+std::string unsoundness(const Network& network) {
+  const auto idle = idle_cables(network).size();
+  if (idle > 0) return std::to_string(idle) + " cables do not pull";
   const equilibrium::System system(network.structure);
+  if (!(equilibrium::residual(system, network.state) < 1e-6)) return "not in equilibrium";
   equilibrium::Linearisation at;
   equilibrium::linearise(system, network.state, at);
-  return at.regular && at.negative == 0 && equilibrium::residual(system, network.state) < 1e-6 &&
-         idle_cables(network).empty();
+  if (!at.regular || at.negative > 0) return "not stable";
+  return {};
+}
+
+void finish(StageResult& result, const sensitivity::Target& target, StageClock& clock) {
+  if (result.trace.empty()) result.trace.push_back(clock.row(result.network, target));
+  const std::string fault = unsoundness(result.network);
+  result.interrupted = clock.stopped();
+  result.sound = fault.empty();
+  std::string& note = result.trace.back().note;
+  for (const std::string& remark : {fault, std::string(result.interrupted ? "interrupted" : "")})
+    if (!remark.empty()) note += (note.empty() ? "" : "; ") + remark;
+}
+
+std::optional<StageResult> refused(const Network& network, const sensitivity::Target& target,
+                                   StageClock& clock) {
+  const std::string fault = unsoundness(network);
+  if (fault.empty()) return std::nullopt;
+  StageResult result{.network = network};
+  result.trace.push_back(clock.row(network, target, "not started"));
+  finish(result, target, clock);
+  return result;
 }
 
 }  // namespace tencer::sparsify

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <tencer/sensitivity/target.hpp>
 #include <tencer/sparsify/network.hpp>
@@ -32,7 +33,16 @@ class StageClock {
   Effort effort_;
 };
 
-// In stable equilibrium with every cable pulling.
-bool is_sound(const Network& network);
+// What keeps a network from being in stable equilibrium with every cable pulling; empty when
+// nothing does.
+std::string unsoundness(const Network& network);
+
+// Completes a stage's result: interrupted, sound, and in the last row's note why it is not. Adds a
+// row when there is none.
+void finish(StageResult& result, const sensitivity::Target& target, StageClock& clock);
+
+// The result of a stage that cannot start because its network is not sound; none when it is.
+std::optional<StageResult> refused(const Network& network, const sensitivity::Target& target,
+                                   StageClock& clock);
 
 }  // namespace tencer::sparsify

@@ -22,11 +22,14 @@ StageResult thin(const Network& network, const sensitivity::Target& target, cons
   core::require(options.max_percent > 0, "ThinOptions::max_percent must be positive");
   validate(rules, network.structure);
   StageClock clock("thin", control);
+  if (auto refusal = refused(network, target, clock)) return std::move(*refusal);
   StageResult result{.network = network};
   const RefineSetup setup{.percent = options.max_percent,
                           .slide = true,
                           .least_eigenvalue = least_eigenvalue(network, options.outer),
                           .rules = rules};
+
+  const double longest = std::max(rules.longest, cable_lengths(network).maxCoeff()) * (1 + 1e-9);
 
   const auto attempt = [&](const Removal& removal) -> std::optional<Network> {
     Effort effort;
@@ -38,6 +41,7 @@ StageResult thin(const Network& network, const sensitivity::Target& target, cons
       Refined refined = refine(*left, target, setup, backend, options.outer, control, effort);
       left.reset();
       if (refined.note.empty() && refined.deviation.max_percent <= options.max_percent &&
+          cable_lengths(refined.network).maxCoeff() <= longest &&
           stiffest_eigenvalue(refined.network) >= setup.least_eigenvalue)
         left = std::move(refined.network);
     }
@@ -65,9 +69,7 @@ StageResult thin(const Network& network, const sensitivity::Target& target, cons
   while (static_cast<int>(result.network.structure.cables.size()) > std::max(options.cables, 1) &&
          !clock.stopped() && take_one_out())
     result.trace.push_back(clock.row(result.network, target));
-  if (result.trace.empty()) result.trace.push_back(clock.row(result.network, target));
-  result.interrupted = clock.stopped();
-  result.sound = is_sound(result.network);
+  finish(result, target, clock);
   return result;
 }
 

@@ -18,9 +18,9 @@ struct RestLengthOptions {
 };
 
 struct RestLength {
-  double rho = 0.0;                  // 0, 0.01, ..., 0.99
+  double rho = 0.0;                  // 0, 0.01, ..., 0.99; failing these 0.999 to 0.99999
   double smallest_eigenvalue = 0.0;  // there, in the units of equilibrium::Stability
-  bool stable = false;               // false: not even rho = 0.99 is stable
+  bool stable = false;               // false: not even the last is stable
 };
 
 // The smallest rho for which rebased(network, rho) is stable with the margin asked for. The Hessian
@@ -28,8 +28,8 @@ struct RestLength {
 RestLength smallest_stable_rest_length(const Network& network,
                                        const RestLengthOptions& options = {});
 
-// The eigenvalue at rest lengths of 99 %, as good as inextensible; minus infinity when rods are
-// free to move against each other.
+// The eigenvalue at rest lengths of 99 %, as good as inextensible, or at the first beyond that is
+// stable; minus infinity when rods are free to move against each other.
 double stiffest_eigenvalue(const Network& network);
 
 }  // namespace tencer::sparsify

@@ -24,8 +24,9 @@ struct Arc {
 struct Rules {
   std::optional<std::vector<RodPair>> pairs{};  // rods that cables may join; not set: any
   std::vector<Arc> forbidden{};                 // where no cable may attach
-  double longest = std::numeric_limits<double>::infinity();  // of a cable, between its ends
-  bool external = true;  // cables to anchors, when the structure has any
+  double longest =
+      std::numeric_limits<double>::infinity();  // of a cable; candidates stay 1 % below
+  bool external = true;                         // cables to anchors, when the structure has any
 };
 
 // Throws std::invalid_argument, naming the field, unless rods exist, arcs lie on their rod and

@@ -1,6 +1,7 @@
 // Fewer cables by a sparsity term with growing weight (paper section 5.3, eq. 6 and 8).
 #pragma once
 
+#include <limits>
 #include <tencer/optimize/backend.hpp>
 #include <tencer/sensitivity/target.hpp>
 #include <tencer/sparsify/network.hpp>
@@ -15,6 +16,7 @@ struct SparsifyOptions {
   double unit = 1e-4;
   double largest_weight = 1e8;
   int bisections = 3;  // of the last weight's decade, when its network is not accepted
+  double longest = std::numeric_limits<double>::infinity();  // cable, see Rules::longest
   OuterOptions outer{};
 };
 

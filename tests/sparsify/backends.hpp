@@ -1,0 +1,26 @@
+// The optimizers that are part of the build.
+#pragma once
+
+#include <tencer/optimize/backend.hpp>
+#include <vector>
+#ifdef TENCER_WITH_OPTIMIZE_IPOPT
+#include <tencer/optimize_ipopt/backends.hpp>
+#endif
+#ifdef TENCER_WITH_OPTIMIZE_NLOPT
+#include <tencer/optimize_nlopt/backends.hpp>
+#endif
+
+namespace tencer::sparsify::test {
+
+inline std::vector<optimize::Backend> backends() {
+  std::vector<optimize::Backend> all;
+#ifdef TENCER_WITH_OPTIMIZE_IPOPT
+  for (auto& backend : optimize_ipopt::backends()) all.push_back(backend);
+#endif
+#ifdef TENCER_WITH_OPTIMIZE_NLOPT
+  for (auto& backend : optimize_nlopt::backends()) all.push_back(backend);
+#endif
+  return all;
+}
+
+}  // namespace tencer::sparsify::test

@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <tencer/sparsify/slide.hpp>
+#include <tencer/sparsify/sparsify.hpp>
+#include <tencer/sparsify/thin.hpp>
+
+#include "backends.hpp"
+#include "models.hpp"
+
+using namespace tencer;
+using namespace tencer::sparsify;
+using namespace tencer::sparsify::test;
+
+namespace {
+
+double distance(const Model& model, const Network& network) {
+  return sensitivity::deviation(target_of(model, network), network.state).value;
+}
+
+void check_places(const Model& model, const Network& network, const Rules& rules) {
+  for (const auto& cable : network.structure.cables)
+    for (const auto& end : {cable.a, cable.b})
+      if (const auto* on = std::get_if<springs::OnRod>(&end)) {
+        CHECK(place_allowed(rules, model.structure, on->rod, on->s));
+        if (!model.structure.rods[on->rod].closed) {
+          CHECK(on->s >= 0.0);
+          CHECK(on->s <= model.structure.rods[on->rod].length());
+        }
+      }
+}
+
+}  // namespace
+
+TEST_CASE("Sliding brings the shape much nearer to the target, comparably with every optimizer") {
+  const Model model = trefoil();
+  const Network start = decimated(model, 10.0);
+  const auto target = target_of(model, start);
+  std::vector<double> reached;
+  for (const auto& backend : backends()) {
+    CAPTURE(backend.name);
+    const auto result = slide(start, target, {}, backend);
+    CHECK(result.sound);
+    CHECK(cables(result.network) <= cables(start));
+    CHECK(cable_tensions(result.network).minCoeff() > 0);
+    reached.push_back(std::sqrt(distance(model, result.network)));
+    CHECK(reached.back() < 0.5 * std::sqrt(distance(model, start)));
+  }
+  // Each ends where it can gain no more, not necessarily in the same of many such places.
+  if (!reached.empty())
+    CHECK(*std::ranges::max_element(reached) < 4 * *std::ranges::min_element(reached));
+}
+
+TEST_CASE("Attachments move away from the vertices where they start") {
+  const Model model = trefoil();
+  const Network start = decimated(model, 20.0);
+  const auto target = target_of(model, start);
+  for (const auto& backend : backends()) {
+    CAPTURE(backend.name);
+    const auto result = slide(start, target, {}, backend);
+    REQUIRE(cables(result.network) == cables(start));
+    double furthest = 0;
+    for (int i = 0; i < cables(start); ++i) {
+      const auto& from = start.structure.cables[i];
+      const auto& to = result.network.structure.cables[i];
+      for (const auto& [a, b] : {std::pair(from.a, to.a), std::pair(from.b, to.b)})
+        furthest = std::max(
+            furthest, std::abs(std::get<springs::OnRod>(b).s - std::get<springs::OnRod>(a).s));
+    }
+    const double edge = model.structure.rods[0].rest_lengths[0];
+    CHECK(furthest > 0.1 * edge);
+    // Methods that get far pass vertices, where the derivative jumps.
+    if (backend.uses_hessian) CHECK(furthest > edge);
+  }
+}
+
+TEST_CASE("Sliding respects forbidden arcs, the ends of rods and the longest cable") {
+  const Model closed = trefoil();
+  const Model open = hung_helix();
+  const double length = closed.structure.rods[0].length();
+  const double longest = 0.8 * cable_lengths(dense_network(closed)).maxCoeff();
+  const Rules rules{
+      .forbidden = {{0, 0.3 * length, 0.4 * length}, {0, 0.95 * length, 0.02 * length}},
+      .longest = longest};
+  for (const auto& backend : backends()) {
+    CAPTURE(backend.name);
+    const Network start = decimated(closed, 10.0, rules);
+    REQUIRE(cable_lengths(start).maxCoeff() <= longest);
+    const auto target = target_of(closed, start);
+    const auto result = slide(start, target, rules, backend);
+    CHECK(result.sound);
+    CHECK(distance(closed, result.network) < distance(closed, start));
+    CHECK(cable_lengths(result.network).maxCoeff() <= longest * (1 + 1e-8));
+    check_places(closed, result.network, rules);
+
+    const Network hung = decimated(open, 10.0);
+    const auto slid = slide(hung, target_of(open, hung), {}, backend);
+    CHECK(slid.sound);
+    CHECK(distance(open, slid.network) < distance(open, hung));
+    check_places(open, slid.network, {});
+  }
+}
+
+TEST_CASE("Second derivatives, approximate or exact or none, lead to comparable designs") {
+  const Model model = trefoil();
+  const Network start = decimated(model, 10.0);
+  const auto target = target_of(model, start);
+  for (const auto& backend : backends()) {
+    if (!backend.uses_hessian) continue;
+    for (const auto second :
+         {SecondDerivatives::none, SecondDerivatives::gauss_newton, SecondDerivatives::exact}) {
+      const auto result = slide(start, target, {}, backend, {.second_derivatives = second});
+      CHECK(result.sound);
+      CHECK(distance(model, result.network) < 0.25 * distance(model, start));
+    }
+  }
+}
+
+TEST_CASE("Thinning takes cables out one by one within the tolerance") {
+  const Model model = trefoil();
+  const Network start = decimated(model, 10.0);
+  const auto target = target_of(model, start);
+  for (const auto& backend : backends()) {
+    CAPTURE(backend.name);
+    const int wanted = cables(start) - 3;
+    const auto result = thin(start, target, {}, backend, {.max_percent = 2.0, .cables = wanted});
+    CHECK(result.sound);
+    CHECK(cables(result.network) <= wanted);
+    CHECK(max_percent(model, result.network) <= 2.0);
+    for (std::size_t i = 1; i < result.trace.size(); ++i)
+      CHECK(result.trace[i].cables < result.trace[i - 1].cables);
+  }
+}
+
+TEST_CASE("Thinning keeps to the rules") {
+  const Model model = linked_ellipses();
+  const Rules rules{.pairs = std::vector<RodPair>{{0, 1}}};
+  const Network start = decimated(model, 3.0, rules);
+  const auto target = target_of(model, start);
+  for (const auto& backend : backends()) {
+    CAPTURE(backend.name);
+    const auto result =
+        thin(start, target, rules, backend, {.max_percent = 2.0, .cables = cables(start) - 4});
+    CHECK(result.sound);
+    CHECK(max_percent(model, result.network) <= 2.0);
+    CHECK(cables(result.network) < cables(start));
+    for (const auto& cable : result.network.structure.cables)
+      CHECK(std::get<springs::OnRod>(cable.a).rod != std::get<springs::OnRod>(cable.b).rod);
+  }
+}
+
+TEST_CASE("Thinning a network that is too far from the target changes nothing") {
+  const Model model = trefoil();
+  const Network start = decimated(model, 10.0);
+  const auto target = target_of(model, start);
+  for (const auto& backend : backends()) {
+    const auto result = thin(start, target, {}, backend, {.max_percent = 1e-6});
+    CHECK(cables(result.network) == cables(start));
+    CHECK(result.trace.size() == 1);
+  }
+}
