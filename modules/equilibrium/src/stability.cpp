@@ -1,4 +1,3 @@
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
@@ -84,14 +83,18 @@ class Spectrum {
     if (!at_.factor.factorise(shifted)) return false;
     negative_ = at_.factor.inertia().negative - system_.saddle_unknowns();
     if (constraints_.cols() == 0) return true;
-    // In([A G; G^T 0]) = In(A) + In(-G^T A^-1 G), and m negative ones belong to the constraints.
+    // In([A G; G^T 0]) = In(A) + In(-S), S = G^T A^-1 G, and as many negative ones as G has rank
+    // belong to the constraints. Dependent cables make S singular: its null space does not count.
     compliance_columns_ = at_.factor.solve(constraints_);
-    const Eigen::MatrixXd compliance = constraints_.transpose() * compliance_columns_;
-    const Eigen::VectorXd values =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(compliance, Eigen::EigenvaluesOnly)
-            .eigenvalues();
-    negative_ -= static_cast<int>((values.array() < 0).count());
-    compliance_.compute(compliance);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> compliance(constraints_.transpose() *
+                                                                    compliance_columns_);
+    const Eigen::VectorXd& values = compliance.eigenvalues();
+    const double zero = 1e-12 * values.cwiseAbs().maxCoeff();
+    const Eigen::VectorXd inverses =
+        (values.array().abs() > zero).select(values.cwiseInverse(), 0.0);
+    negative_ -= static_cast<int>((values.array() < -zero).count());
+    stiffness_ = compliance.eigenvectors() * inverses.asDiagonal() *
+                 compliance.eigenvectors().transpose();
     return true;
   }
 
@@ -105,7 +108,7 @@ class Spectrum {
       force = root_mass_.cwiseProduct(z);
       at_.factor.solve(force, motion);
       if (constraints_.cols() > 0)
-        motion -= compliance_columns_ * compliance_.solve(constraints_.transpose() * motion);
+        motion -= compliance_columns_ * (stiffness_ * (constraints_.transpose() * motion));
       z = root_mass_.cwiseProduct(motion);
       if (rigid_.size() > 0) z -= rigid_ * (rigid_.transpose() * z);
       Eigen::Map<Eigen::VectorXd>(out, n) = z;
@@ -130,7 +133,7 @@ class Spectrum {
   Eigen::MatrixXd rigid_;  // orthonormal, in mass-weighted coordinates
   Linearisation at_;
   Eigen::MatrixXd compliance_columns_;
-  Eigen::LDLT<Eigen::MatrixXd> compliance_;
+  Eigen::MatrixXd stiffness_;  // pseudo-inverse of the cables' compliance
   double shift_ = 0;
   int negative_ = 0;
 };

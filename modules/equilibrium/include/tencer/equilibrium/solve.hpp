@@ -31,7 +31,7 @@ void linearise(const System& system, const State& state, Linearisation& at);
 struct SolveOptions {
   double tolerance = 1e-10;   // on the residual, see Equilibrium
   int max_iterations = 500;   // steps of Newton's method
-  double max_rotation = 1.0;  // largest change of an edge in one step, relative to its length
+  double max_rotation = 0.2;  // largest change of an edge in one step, relative to its length
   int patience = 24;          // steps that may pass without a lower energy before a line search
   std::stop_token stop{};
 };
