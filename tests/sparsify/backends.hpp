@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tencer/optimize/backend.hpp>
+#include <tencer/sparsify/outer.hpp>
 #include <vector>
 #ifdef TENCER_WITH_OPTIMIZE_IPOPT
 #include <tencer/optimize_ipopt/backends.hpp>
@@ -22,5 +23,8 @@ inline std::vector<optimize::Backend> backends() {
 #endif
   return all;
 }
+
+// Enough for what the tests ask.
+inline OuterOptions quick() { return {.rounds = 3, .iterations = 30, .iterations_without = 60}; }
 
 }  // namespace tencer::sparsify::test

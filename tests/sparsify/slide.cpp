@@ -87,14 +87,14 @@ TEST_CASE("Sliding respects forbidden arcs, the ends of rods and the longest cab
     const Network start = decimated(closed, 10.0, rules);
     REQUIRE(cable_lengths(start).maxCoeff() <= longest);
     const auto target = target_of(closed, start);
-    const auto result = slide(start, target, rules, backend);
+    const auto result = slide(start, target, rules, backend, quick());
     CHECK(result.sound);
     CHECK(distance(closed, result.network) < distance(closed, start));
     CHECK(cable_lengths(result.network).maxCoeff() <= longest * (1 + 1e-8));
     check_places(closed, result.network, rules);
 
     const Network hung = decimated(open, 10.0);
-    const auto slid = slide(hung, target_of(open, hung), {}, backend);
+    const auto slid = slide(hung, target_of(open, hung), {}, backend, quick());
     CHECK(slid.sound);
     CHECK(distance(open, slid.network) < distance(open, hung));
     check_places(open, slid.network, {});
@@ -109,7 +109,9 @@ TEST_CASE("Second derivatives, approximate or exact or none, lead to comparable 
     if (!backend.uses_hessian) continue;
     for (const auto second :
          {SecondDerivatives::none, SecondDerivatives::gauss_newton, SecondDerivatives::exact}) {
-      const auto result = slide(start, target, {}, backend, {.second_derivatives = second});
+      OuterOptions outer = quick();
+      outer.second_derivatives = second;
+      const auto result = slide(start, target, {}, backend, outer);
       CHECK(result.sound);
       CHECK(distance(model, result.network) < 0.25 * distance(model, start));
     }
@@ -123,7 +125,8 @@ TEST_CASE("Thinning takes cables out one by one within the tolerance") {
   for (const auto& backend : backends()) {
     CAPTURE(backend.name);
     const int wanted = cables(start) - 3;
-    const auto result = thin(start, target, {}, backend, {.max_percent = 2.0, .cables = wanted});
+    const auto result =
+        thin(start, target, {}, backend, {.max_percent = 2.0, .cables = wanted, .outer = quick()});
     CHECK(result.sound);
     CHECK(cables(result.network) <= wanted);
     CHECK(max_percent(model, result.network) <= 2.0);
@@ -139,8 +142,8 @@ TEST_CASE("Thinning keeps to the rules") {
   const auto target = target_of(model, start);
   for (const auto& backend : backends()) {
     CAPTURE(backend.name);
-    const auto result =
-        thin(start, target, rules, backend, {.max_percent = 2.0, .cables = cables(start) - 4});
+    const auto result = thin(start, target, rules, backend,
+                             {.max_percent = 2.0, .cables = cables(start) - 4, .outer = quick()});
     CHECK(result.sound);
     CHECK(max_percent(model, result.network) <= 2.0);
     CHECK(cables(result.network) < cables(start));
@@ -154,7 +157,7 @@ TEST_CASE("Thinning a network that is too far from the target changes nothing") 
   const Network start = decimated(model, 10.0);
   const auto target = target_of(model, start);
   for (const auto& backend : backends()) {
-    const auto result = thin(start, target, {}, backend, {.max_percent = 1e-6});
+    const auto result = thin(start, target, {}, backend, {.max_percent = 1e-6, .outer = quick()});
     CHECK(cables(result.network) == cables(start));
     CHECK(result.trace.size() == 1);
   }

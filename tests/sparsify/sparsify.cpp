@@ -25,7 +25,8 @@ TEST_CASE("Sparsification gives fewer cables within the tolerance, with every op
   const auto target = target_of(model, start);
   for (const auto& backend : backends()) {
     CAPTURE(backend.name);
-    const auto result = sparsify::sparsify(start, target, backend, {.max_percent = 1.0});
+    const auto result =
+        sparsify::sparsify(start, target, backend, {.max_percent = 1.0, .outer = quick()});
     CHECK(result.sound);
     CHECK(max_percent(model, result.network) <= 1.0);
     CHECK(cables(result.network) <= cables(start) / 2);
@@ -54,8 +55,10 @@ TEST_CASE("A tighter tolerance keeps more cables and never fails") {
   for (const auto& backend : backends()) {
     CAPTURE(backend.name);
     const double here = max_percent(model, start);
-    const auto tight = sparsify::sparsify(start, target, backend, {.max_percent = 1.01 * here});
-    const auto loose = sparsify::sparsify(start, target, backend, {.max_percent = 2.0});
+    const auto tight =
+        sparsify::sparsify(start, target, backend, {.max_percent = 1.01 * here, .outer = quick()});
+    const auto loose =
+        sparsify::sparsify(start, target, backend, {.max_percent = 2.0, .outer = quick()});
     CHECK(tight.sound);
     CHECK(loose.sound);
     CHECK(max_percent(model, tight.network) <= 1.01 * here);
@@ -70,7 +73,8 @@ TEST_CASE("A tolerance that is out of reach leaves the network as it was") {
   const auto target = target_of(model, start);
   for (const auto& backend : backends()) {
     CAPTURE(backend.name);
-    const auto result = sparsify::sparsify(start, target, backend, {.max_percent = 1e-7});
+    const auto result =
+        sparsify::sparsify(start, target, backend, {.max_percent = 1e-7, .outer = quick()});
     CHECK(result.sound);
     CHECK(cables(result.network) == cables(start));
     CHECK(max_percent(model, result.network) == Approx(max_percent(model, start)));
@@ -83,7 +87,8 @@ TEST_CASE("External cables are sparsified first") {
   const auto target = target_of(model, start);
   for (const auto& backend : backends()) {
     CAPTURE(backend.name);
-    const auto result = sparsify::sparsify(start, target, backend, {.max_percent = 3.0});
+    const auto result =
+        sparsify::sparsify(start, target, backend, {.max_percent = 3.0, .outer = quick()});
     CHECK(result.sound);
     CHECK(max_percent(model, result.network) <= 3.0);
     CHECK(cables(result.network) < cables(start));
@@ -117,7 +122,7 @@ TEST_CASE("Sparsification that is stopped returns the best so far") {
     std::stop_source source;
     int rows = 0;
     const auto result =
-        sparsify::sparsify(start, target, backend, {.max_percent = 1.0},
+        sparsify::sparsify(start, target, backend, {.max_percent = 1.0, .outer = quick()},
                            {.stop = source.get_token(), .progress = [&](const Progress&) {
                               if (++rows == 2) source.request_stop();
                             }});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tencer/linalg/symmetric_factor.hpp>
 
 namespace tencer::sparsify {
 
