@@ -135,7 +135,7 @@ inline Example planar_rod() {
 inline Example uniformly_twisted() {
   Example e = closed_rod(600);
   e.name = "closed rod with a closing angle";
-  e.structure.rods[0].closing_angle = 1.2;
+  e.structure.rods[0].closing_angle = 0.6;
   return e;
 }
 
