@@ -72,10 +72,14 @@ BuiltForm settle(const Structure& structure, State start, const SolveOptions& op
     // Rounding stops the progress of the tensions before it stops that of the forces.
     const bool done = built.stretch <= enough || (built.stretch < 1e-8 && built.stretch > last / 2);
     if (done || !built.equilibrium.usable()) break;
+    // Cables along stiff parts of the rods need stiffer springs.
+    if (built.stretch > last / 10) stiffness *= 10;
     last = built.stretch;
-    for (Eigen::Index c = 0; c < count; ++c)
+    for (Eigen::Index c = 0; c < count; ++c) {
+      springs.cables[c].stiffness = stiffness;
       springs.cables[c].rest_length =
           structure.cables[c].rest_length - built.tensions[c] / stiffness;
+    }
     system.set_cables(springs.cables);
   }
   built.equilibrium.iterations = iterations;
