@@ -1,0 +1,196 @@
+#include "picture.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <tencer/core/error.hpp>
+#include <tencer/geometry/arc_length.hpp>
+#include <vector>
+
+namespace tencer::app {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double picture_width = 800;  // without the margin; the height follows
+constexpr double margin = 40;
+constexpr double rod_width = 9;
+constexpr double gap = 3.5;  // on each side of a rod that passes over another
+constexpr double cable_width = 2.2;
+constexpr int cable_pieces = 24;  // each with its own depth
+
+std::string number(double value) {
+  std::array<char, 32> text;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 1);
+  return {text.data(), end.ptr};
+}
+
+Eigen::Matrix3Xd all_points(const io::Design& design) {
+  Eigen::Index count = design.anchors.cols();
+  for (const io::DesignRod& rod : design.rods) count += rod.pose.cols();
+  Eigen::Matrix3Xd points(3, count);
+  Eigen::Index at = 0;
+  for (const io::DesignRod& rod : design.rods) {
+    points.middleCols(at, rod.pose.cols()) = rod.pose;
+    at += rod.pose.cols();
+  }
+  points.rightCols(design.anchors.cols()) = design.anchors;
+  return points;
+}
+
+// Rows: right, up, towards the reader. The least principal axis of the points towards the reader,
+// then tilted, so that curves in planes along the axes are not seen edge-on.
+Matrix3d view_rotation(const Eigen::Matrix3Xd& points) {
+  const Eigen::Matrix3Xd centred = points.colwise() - points.rowwise().mean();
+  Matrix3d covariance = centred * centred.transpose();
+  // Where extents are equal, x is right and z towards the reader.
+  covariance += 0.02 * covariance.trace() * Vector3d(2, 1, 0).asDiagonal().toDenseMatrix();
+  Matrix3d rows = Eigen::SelfAdjointEigenSolver<Matrix3d>(covariance).eigenvectors().transpose();
+  rows.row(0).swap(rows.row(2));  // the greatest extent first
+  for (const int axis : {0, 1}) {
+    Eigen::Index largest = 0;
+    rows.row(axis).cwiseAbs().maxCoeff(&largest);
+    if (rows(axis, largest) < 0) rows.row(axis) *= -1;
+  }
+  rows.row(2) = rows.row(0).cross(rows.row(1));
+  const auto tilt =
+      Eigen::AngleAxisd(-0.5, Vector3d::UnitX()) * Eigen::AngleAxisd(0.35, Vector3d::UnitY());
+  return tilt.toRotationMatrix() * rows;
+}
+
+// From the design's coordinates to the drawing's: x right, y down, z towards the reader, with a
+// mild perspective.
+struct View {
+  Matrix3d rotation;
+  Vector3d centre;
+  double radius = 0;  // of the points about the centre
+  double scale = 1;
+  Eigen::Vector2d offset = Eigen::Vector2d::Zero();
+
+  double magnification(const Vector3d& turned) const { return 4 / (4 - turned.z() / radius); }
+
+  Vector3d operator()(const Vector3d& point) const {
+    const Vector3d turned = rotation * (point - centre);
+    const double larger = magnification(turned) * scale;
+    return {larger * turned.x() + offset.x(), -larger * turned.y() + offset.y(), turned.z()};
+  }
+  double magnification_at(double depth) const { return magnification({0, 0, depth}); }
+};
+
+struct Frame {
+  View view;
+  double width = 0;
+  double height = 0;
+};
+
+Frame frame_of(const Eigen::Matrix3Xd& points) {
+  View view{.rotation = view_rotation(points),
+            .centre = (points.rowwise().minCoeff() + points.rowwise().maxCoeff()) / 2};
+  view.radius = (points.colwise() - view.centre).colwise().norm().maxCoeff();
+  core::require(std::isfinite(view.radius) && view.radius > 0,
+                "picture_svg: needs a rod with finite coordinates and some extent");
+  Eigen::Matrix3Xd drawn(3, points.cols());
+  const auto project = [&] {
+    for (Eigen::Index i = 0; i < points.cols(); ++i) drawn.col(i) = view(points.col(i));
+  };
+  project();
+  const Vector3d extent = drawn.rowwise().maxCoeff() - drawn.rowwise().minCoeff();
+  view.scale = picture_width / std::max(extent.x(), extent.y());
+  project();
+  const Vector3d corner = drawn.rowwise().minCoeff();
+  view.offset = Eigen::Vector2d(margin, margin) - corner.head<2>();
+  const Vector3d size = drawn.rowwise().maxCoeff() - corner;
+  return {view, size.x() + 2 * margin, size.y() + 2 * margin};
+}
+
+// A straight stroke, or an anchor's square at a point (then a = b).
+struct Piece {
+  Vector3d a;
+  Vector3d b;
+  int rod = -1;  // -1: of a cable
+  bool anchor = false;
+
+  double depth() const { return (a.z() + b.z()) / 2; }
+};
+
+Vector3d end_point(const io::Design& design, const io::CableEnd& end) {
+  if (end.anchor >= 0) return design.anchors.col(end.anchor);
+  const io::DesignRod& rod = design.rods[end.rod];
+  const geometry::ArcLength arc(rod.rest_lengths, rod.closed);
+  // s = length on a closed rod is the seam, which wraps to the start.
+  const geometry::Location at = arc.locate(end.s);
+  return (1 - at.t) * rod.pose.col(at.edge) + at.t * rod.pose.col((at.edge + 1) % rod.pose.cols());
+}
+
+std::vector<Piece> pieces_of(const io::Design& design, const View& view) {
+  std::vector<Piece> pieces;
+  for (int r = 0; r < static_cast<int>(design.rods.size()); ++r) {
+    const Eigen::Matrix3Xd& pose = design.rods[r].pose;
+    for (Eigen::Index i = 0; i < design.rods[r].rest_lengths.size(); ++i)
+      pieces.push_back({view(pose.col(i)), view(pose.col((i + 1) % pose.cols())), r});
+  }
+  for (const io::DesignCable& cable : design.cables) {
+    const Vector3d a = end_point(design, cable.a);
+    const Vector3d b = end_point(design, cable.b);
+    const auto at = [&](int i) { return view(a + (b - a) * i / cable_pieces); };
+    for (int i = 0; i < cable_pieces; ++i) pieces.push_back({at(i), at(i + 1)});
+  }
+  for (const auto& anchor : design.anchors.colwise())
+    pieces.push_back({view(anchor), view(anchor), -1, true});
+  std::ranges::stable_sort(pieces, {}, &Piece::depth);
+  return pieces;
+}
+
+std::string line(const Piece& piece, const std::string& style, double width) {
+  return "<path class=\"" + style + "\" stroke-width=\"" + number(width) + "\" d=\"M" +
+         number(piece.a.x()) + " " + number(piece.a.y()) + "L" + number(piece.b.x()) + " " +
+         number(piece.b.y()) + "\"/>\n";
+}
+
+std::string drawing(const Piece& piece, double magnification) {
+  if (piece.anchor) {
+    constexpr double side = 16;
+    return "<rect class=\"t-anchor\" x=\"" + number(piece.a.x() - side / 2) + "\" y=\"" +
+           number(piece.a.y() - side / 2) + "\" width=\"" + number(side) + "\" height=\"" +
+           number(side) + "\"/>\n";
+  }
+  if (piece.rod < 0) return line(piece, "t-cable", cable_width * magnification);
+  const double width = rod_width * magnification;
+  return line(piece, "t-gap", width + 2 * gap) +
+         line(piece, "t-rod t-rod" + std::to_string(piece.rod % 6), width);
+}
+
+constexpr const char* styles = R"(<style>
+.t-paper { fill: #ffffff } .t-gap { stroke: #ffffff }
+.t-rod, .t-cable { stroke-linecap: round }
+.t-rod0 { stroke: #3f7cc4 } .t-rod1 { stroke: #2fa37c } .t-rod2 { stroke: #8a68c8 }
+.t-rod3 { stroke: #64859e } .t-rod4 { stroke: #b99338 } .t-rod5 { stroke: #b7648c }
+.t-cable { stroke: #d9481c } .t-anchor { fill: #6b7682 }
+@media (prefers-color-scheme: dark) {
+.t-paper { fill: #11161c } .t-gap { stroke: #11161c } .t-cable { stroke: #ff8a5c }
+}
+</style>
+)";
+
+}  // namespace
+
+std::string picture_svg(const io::Design& design) {
+  core::require(!design.rods.empty(), "picture_svg: needs at least one rod");
+  const Frame frame = frame_of(all_points(design));
+  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " +
+                    number(frame.width) + " " + number(frame.height) + "\" role=\"img\">\n";
+  svg +=
+      "<title>Rods held in shape by " + std::to_string(design.cables.size()) + " cables</title>\n";
+  svg += styles;
+  svg += "<rect class=\"t-paper\" width=\"" + number(frame.width) + "\" height=\"" +
+         number(frame.height) + "\"/>\n<g fill=\"none\">\n";
+  for (const Piece& piece : pieces_of(design, frame.view))
+    svg += drawing(piece, frame.view.magnification_at(piece.depth()));
+  return svg + "</g>\n</svg>\n";
+}
+
+}  // namespace tencer::app
