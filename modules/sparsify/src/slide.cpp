@@ -2,6 +2,7 @@
 #include <tencer/core/error.hpp>
 #include <tencer/sparsify/slide.hpp>
 
+#include "levenberg.hpp"
 #include "refine.hpp"
 #include "stage_clock.hpp"
 

@@ -4,6 +4,7 @@
 #include <tencer/sparsify/rest_length.hpp>
 #include <tencer/sparsify/thin.hpp>
 
+#include "levenberg.hpp"
 #include "refine.hpp"
 #include "removal_cost.hpp"
 #include "stage_clock.hpp"
@@ -38,7 +39,11 @@ StageResult thin(const Network& network, const sensitivity::Target& target, cons
       left = without_gradually(result.network, removal.cable, target, setup, control, effort);
     if (left) left = pulling_only(std::move(*left), control, effort);
     if (left) {
-      Refined refined = refine(*left, target, setup, backend, options.outer, control, effort);
+      OuterOptions with_hessian = options.outer;
+      with_hessian.second_derivatives = SecondDerivatives::gauss_newton;
+      const Refined near = refine(*left, target, setup, levenberg(), with_hessian, control, effort);
+      Refined refined =
+          refine(near.network, target, setup, backend, options.outer, control, effort);
       left.reset();
       if (refined.note.empty() && refined.deviation.max_percent <= options.max_percent &&
           cable_lengths(refined.network).maxCoeff() <= longest &&

@@ -16,7 +16,7 @@ struct OuterOptions {
   SecondDerivatives second_derivatives = SecondDerivatives::gauss_newton;
   // An optimization is done in rounds, each from where the last one ended: rest lengths are set
   // anew in between, and rounds end when one gains less than `least_gain` of the objective.
-  int rounds = 6;
+  int rounds = 12;
   int iterations = 40;           // of the optimizer in a round, with second derivatives
   int iterations_without = 150;  // and without
   double least_gain = 0.01;

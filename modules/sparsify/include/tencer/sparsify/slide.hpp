@@ -10,8 +10,8 @@
 namespace tencer::sparsify {
 
 // Minimises the distance to the target over stiffnesses and attachments: closed rods wrap, open
-// ones end; forbidden arcs and the longest cable are respected. The result is never further from
-// the target than `network`. Requires an equilibrium in which every cable pulls.
+// ones end; forbidden arcs and the longest cable are respected. T (eq. 7) of the result
+// is never larger than that of `network`. Requires an equilibrium in which every cable pulls.
 StageResult slide(const Network& network, const sensitivity::Target& target, const Rules& rules,
                   const optimize::Backend& backend, const OuterOptions& outer = {},
                   const Control& control = {});
