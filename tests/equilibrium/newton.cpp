@@ -218,3 +218,20 @@ TEST_CASE("stretching does not slow a solve down, however slender the rod") {
   }
   CHECK(iterations[2] <= 2 * iterations[0]);
 }
+
+TEST_CASE("an equilibrium that some motion leaves at no cost is not called stable") {
+  // Two rods that a single point ties together turn about it freely.
+  Structure structure;
+  structure.rods = {models::slender_rod(false, 5, 1.0, 100),
+                    models::slender_rod(false, 5, 1.0, 100)};
+  structure.cables = {{.a = springs::OnRod{0, 0.5}, .b = springs::OnRod{1, 0.5}, .stiffness = 3}};
+  Eigen::Matrix3Xd second = models::straight(5, 1.0);
+  second.row(1) = second.row(0).array() - 0.5;
+  second.row(0).setConstant(0.5);
+  const System system(structure);
+  const Equilibrium result =
+      solve(system, make_state(structure, {models::straight(5, 1.0), second}));
+  CHECK_FALSE(stability(system, result.state).stable());
+  CHECK_FALSE(result.usable());
+  CHECK(result.reason == Reason::neutral);
+}

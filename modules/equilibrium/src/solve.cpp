@@ -170,6 +170,7 @@ void Newton::run(State start) {
       linearise(system_, now.state, at_);
       ++result_.factorisations;
       result_.negative = at_.negative;
+      if (!at_.regular) return finish(std::move(now), Reason::neutral);
       if (at_.negative == 0 || !escape(now))
         return finish(std::move(now), at_.negative > 0 ? Reason::saddle
                                       : converged      ? Reason::converged
@@ -243,6 +244,8 @@ std::string describe(Reason reason) {
       return "converged to a stable equilibrium, as far as rounding allows";
     case Reason::saddle:
       return "stopped at an unstable equilibrium";
+    case Reason::neutral:
+      return "stopped at an equilibrium that is not isolated: some motion costs nothing";
     case Reason::iteration_limit:
       return "the iteration limit was reached";
     case Reason::no_descent:

@@ -173,7 +173,11 @@ core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& o
       })
       .then([&](const auto& network) {
         return sparsify::sparsify(network, target, *backend,
-                                  {.max_percent = settings.max_error, .outer = outer}, control);
+                                  {.max_percent = settings.max_error,
+                                   .weights = settings.sparsity_weights,
+                                   .longest = prepared->rules.longest,
+                                   .outer = outer},
+                                  control);
       })
       .then([&](const auto& network) {
         return sparsify::slide(network, target, prepared->rules, *backend, outer, control);

@@ -59,8 +59,8 @@ StageResult sparsify(const Network& network, const sensitivity::Target& target,
       continue;
     double good = 0;
     double bad = 0;
-    for (double weight = 0; weight <= options.largest_weight && !clock.stopped();
-         weight = weight == 0 ? 1 : 10 * weight) {
+    for (const double weight : options.weights) {
+      if (clock.stopped()) break;
       if (!attempt(external, weight)) {
         bad = weight;
         break;

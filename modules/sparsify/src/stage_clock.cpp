@@ -40,6 +40,15 @@ StageRow StageClock::row(const Network& network, const sensitivity::Target& targ
   return row;
 }
 
+void StageClock::add_rest(StageRow& row) {
+  const auto now = std::chrono::steady_clock::now();
+  row.seconds += std::chrono::duration<double>(now - last_row_).count();
+  row.solves += effort_.solves;
+  row.iterations += effort_.iterations;
+  last_row_ = now;
+  effort_ = {};
+}
+
 std::string unsoundness(const Network& network) {
   const auto idle = idle_cables(network).size();
   if (idle > 0) return std::to_string(idle) + " cables do not pull";
@@ -53,6 +62,7 @@ std::string unsoundness(const Network& network) {
 
 void finish(StageResult& result, const sensitivity::Target& target, StageClock& clock) {
   if (result.trace.empty()) result.trace.push_back(clock.row(result.network, target));
+  clock.add_rest(result.trace.back());
   const std::string fault = unsoundness(result.network);
   result.interrupted = clock.stopped();
   result.sound = fault.empty();

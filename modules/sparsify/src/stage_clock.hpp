@@ -23,6 +23,8 @@ class StageClock {
 
   // A row for what was done since the last row, or since the start; also reported as progress.
   StageRow row(const Network& network, const sensitivity::Target& target, std::string note = {});
+  // Adds what was done since the last row, to no avail, to `row`.
+  void add_rest(StageRow& row);
 
  private:
   using Time = std::chrono::steady_clock::time_point;
@@ -37,8 +39,8 @@ class StageClock {
 // nothing does.
 std::string unsoundness(const Network& network);
 
-// Completes a stage's result: interrupted, sound, and in the last row's note why it is not. Adds a
-// row when there is none.
+// Completes a stage's result: interrupted, sound, and in the last row's note why it is not.
+// Attempts since the last row are added to it; there is a row when there was none.
 void finish(StageResult& result, const sensitivity::Target& target, StageClock& clock);
 
 // The result of a stage that cannot start because its network is not sound; none when it is.

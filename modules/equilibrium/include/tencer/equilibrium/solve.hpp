@@ -40,6 +40,7 @@ enum class Reason {
   converged,  // residual below tolerance, no direction of negative curvature
   rounding,   // the same, but rounding keeps the residual above the tolerance
   saddle,     // forces in balance at an unstable state that could not be left
+  neutral,    // forces in balance, but some motion other than a rigid one costs nothing
   iteration_limit,
   no_descent,  // no step lowers the energy although forces are not in balance
   not_finite,  // the starting state has infinite or undefined energy

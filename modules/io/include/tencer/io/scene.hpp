@@ -56,7 +56,7 @@ struct DesignSettings {
   bool external = true;  // cables to the anchors, if there are any
   std::optional<double> longest_cable = std::nullopt;
   // Weights of the sparsity term, tried in this order (section 5.3).
-  std::vector<double> sparsity_weights{0, 1, 10, 100, 1e3, 1e4, 1e5, 1e6};
+  std::vector<double> sparsity_weights{0, 1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
   double spring_stiffness = 100;   // factor f of k = f E c^2 / L (section 5.1)
   double greedy_threshold = 5e-6;  // factor f of the threshold f L n (section 5.2)
 };

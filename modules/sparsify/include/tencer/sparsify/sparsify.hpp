@@ -6,16 +6,17 @@
 #include <tencer/sensitivity/target.hpp>
 #include <tencer/sparsify/network.hpp>
 #include <tencer/sparsify/outer.hpp>
+#include <vector>
 
 namespace tencer::sparsify {
 
 struct SparsifyOptions {
   double max_percent = 1.0;  // the largest distance to the target that is accepted
   // The objective is (rms / max_percent)^2 + weight * unit * mean of sqrt(q), q the force densities
-  // relative to their mean at the start; the weight is 0, 1, 10, 100, ...
+  // relative to their mean at the start; the weights are tried in this order.
   double unit = 1e-4;
-  double largest_weight = 1e8;
-  int bisections = 3;  // of the last weight's decade, when its network is not accepted
+  std::vector<double> weights{0, 1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
+  int bisections = 3;  // between the last two weights, when the last one's network is not accepted
   double longest = std::numeric_limits<double>::infinity();  // cable, see Rules::longest
   OuterOptions outer{};
 };
