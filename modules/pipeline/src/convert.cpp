@@ -2,6 +2,8 @@
 #include <tencer/core/error.hpp>
 #include <tencer/pipeline/convert.hpp>
 
+#include "units_sum.hpp"
+
 namespace tencer::pipeline {
 namespace {
 
@@ -20,18 +22,9 @@ std::vector<Eigen::Matrix3Xd> scaled(const io::Design& design, const Units& unit
 }  // namespace
 
 Units units_of(const io::Design& design) {
-  double length = 0;
-  double bending = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Index vertices = 0;
-  for (const auto& rod : design.rods) {
-    length += rod.length();
-    bending = std::max(bending, rod.EI.maxCoeff());
-    sum += rod.target.rowwise().sum();
-    vertices += rod.target.cols();
-  }
-  return {.scale = {.length = length, .energy = bending / length},
-          .origin = sum / static_cast<double>(vertices)};
+  UnitsSum sum;
+  for (const auto& rod : design.rods) sum.add(rod.length(), rod.EI.maxCoeff(), rod.target);
+  return sum.units();
 }
 
 equilibrium::Structure structure_of(const io::Design& design, Cables cables, const Units& units) {

@@ -3,22 +3,16 @@
 #include <tencer/geometry/hull.hpp>
 #include <tencer/pipeline/prepare.hpp>
 
+#include "units_sum.hpp"
+
 namespace tencer::pipeline {
 namespace {
 
 Units units_of(const io::Scene& scene) {
-  double length = 0;
-  double bending = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Index vertices = 0;
-  for (const auto& rod : scene.rods) {
-    length += geometry::edge_lengths(rod.target).sum();
-    bending = std::max(bending, rod.section.EI.maxCoeff());
-    sum += rod.target.points.rowwise().sum();
-    vertices += rod.target.points.cols();
-  }
-  return {.scale = {.length = length, .energy = bending / length},
-          .origin = sum / static_cast<double>(vertices)};
+  UnitsSum sum;
+  for (const auto& rod : scene.rods)
+    sum.add(geometry::edge_lengths(rod.target).sum(), rod.section.EI.maxCoeff(), rod.target.points);
+  return sum.units();
 }
 
 der::Rod scaled_rod(const io::SceneRod& from, const core::Scale& scale) {

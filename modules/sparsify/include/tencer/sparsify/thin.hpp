@@ -13,7 +13,7 @@ namespace tencer::sparsify {
 struct ThinOptions {
   double max_percent = 1.0;  // the largest distance to the target that is accepted
   int cables = 0;            // ends when so few are left
-  int tries = 3;             // of different cables before it ends
+  int tries = 6;             // of different cables before it ends
   OuterOptions outer{};
 };
 
