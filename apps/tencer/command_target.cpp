@@ -1,8 +1,11 @@
 // tencer target FAMILY: writes target curves of the built-in families.
 #include <algorithm>
+#include <iostream>
 #include <memory>
+#include <span>
 #include <tencer/geometry/families.hpp>
 #include <tencer/io/curve.hpp>
+#include <tencer/pipeline/random_knot.hpp>
 
 #include "command.hpp"
 
@@ -10,9 +13,9 @@ namespace tencer::app {
 namespace {
 
 constexpr const char* examples = R"(Examples:
-  tencer target --list
   tencer target trefoil-hypotrochoid -o trefoil.obj
-  tencer target torus-knot --p 5 --q 3 --vertices 201 -o knot.obj)";
+  tencer target torus-knot --p 5 --q 3 --vertices 201 -o knot.obj
+  tencer target random-knot --cables 12 --seed 7 > knot.obj)";
 
 struct FamilyRequest {
   geometry::Family family;
@@ -21,19 +24,48 @@ struct FamilyRequest {
   std::string output;
 };
 
+// To standard output when there is no file name.
+core::Expected<ExitCode> write_curves(const std::string& output,
+                                      std::span<const geometry::Polyline> curves) {
+  if (output.empty()) {
+    std::cout << io::obj_text(curves) << std::flush;
+  } else if (const auto error = io::write_obj(output, curves)) {
+    return *error;
+  }
+  return ExitCode::ok;
+}
+
 core::Expected<ExitCode> write_family(const FamilyRequest& request) {
   if (const auto problem =
           geometry::family_problem(request.family, request.values, request.vertices))
     return core::Error{"target " + std::string(request.family.name), *problem};
   const auto curves = geometry::family_curves(request.family, request.values, request.vertices);
-  if (const auto error = io::write_obj(request.output, curves)) return *error;
-  return ExitCode::ok;
+  return write_curves(request.output, curves);
+}
+
+struct KnotRequest {
+  pipeline::RandomKnotOptions options;
+  std::string output;
+};
+
+core::Expected<ExitCode> write_random_knot(const KnotRequest& request) {
+  if (const auto problem = pipeline::random_knot_problem(request.options))
+    return core::Error{"target random-knot", *problem};
+  const auto knot = pipeline::random_knot(request.options);
+  if (!knot)
+    return core::Error{"target random-knot",
+                       "no draw of this seed keeps clear of itself; try another --seed"};
+  return write_curves(request.output, {&knot->curve, 1});
 }
 
 std::string option_name(std::string_view parameter) {
   std::string name = "--" + std::string(parameter);
   std::ranges::replace(name, '_', '-');
   return name;
+}
+
+void add_output(CLI::App& command, std::string& output) {
+  command.add_option("-o,--output", output, "OBJ file to write [standard output]");
 }
 
 void add_family(CLI::App& target, const geometry::Family& family, Command& chosen) {
@@ -53,9 +85,24 @@ void add_family(CLI::App& target, const geometry::Family& family, Command& chose
   }
   command->add_option("--vertices", request->vertices, "vertices of each rod")
       ->capture_default_str();
-  command->add_option("-o,--output", request->output, "OBJ file to write")->required();
+  add_output(*command, request->output);
   command->callback([&chosen, request] {
     chosen = [request](const core::Log&) { return write_family(*request); };
+  });
+}
+
+void add_random_knot(CLI::App& target, Command& chosen) {
+  const auto request = std::make_shared<KnotRequest>();
+  pipeline::RandomKnotOptions& options = request->options;
+  CLI::App* command = target.add_subcommand(
+      "random-knot", "Write a closed rod at rest under random springs (figure 14)");
+  command->add_option("--cables", options.cables, "springs that make it")->capture_default_str();
+  command->add_option("--length", options.length, "of the rod, cm")->capture_default_str();
+  command->add_option("--seed", options.seed, "another seed, another knot")->capture_default_str();
+  command->add_option("--vertices", options.vertices, "vertices of the rod")->capture_default_str();
+  add_output(*command, request->output);
+  command->callback([&chosen, request] {
+    chosen = [request](const core::Log&) { return write_random_knot(*request); };
   });
 }
 
@@ -66,6 +113,7 @@ void add_target(CLI::App& app, Command& chosen) {
   target->footer(examples);
   target->require_subcommand(1);
   for (const geometry::Family& family : geometry::families()) add_family(*target, family, chosen);
+  add_random_knot(*target, chosen);
 }
 
 }  // namespace tencer::app

@@ -1,0 +1,36 @@
+# Target curves: every family as listed, to a file or to standard output.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/run_tencer.cmake)
+
+foreach(family circle ellipse helix torus-knot trefoil-hypotrochoid trefoil-2-3 trefoil-3-2
+    twin-trefoils borromean-ellipses random-knot)
+  run_tencer(target ${family} --vertices 40)
+  expect_status(0)
+  set(printed "${out}")
+  run_tencer(target ${family} --vertices 40 -o ${family}.obj)
+  expect_status(0)
+  if(NOT out STREQUAL "")
+    message(SEND_ERROR "${family} with -o prints: ${out}")
+  endif()
+  file(READ ${WORK}/${family}.obj written)
+  if(NOT written STREQUAL printed)
+    message(SEND_ERROR "${family}.obj differs from what is printed")
+  endif()
+  string(REGEX MATCHALL "(^|\n)v " vertices "${written}")
+  list(LENGTH vertices count)
+  math(EXPR rest "${count} % 40")
+  if(count EQUAL 0 OR NOT rest EQUAL 0)
+    message(SEND_ERROR "${family} has ${count} vertices, not rods of 40")
+  endif()
+endforeach()
+
+# Another seed is another knot.
+run_tencer(target random-knot --vertices 40 --seed 1)
+set(first "${out}")
+run_tencer(target random-knot --vertices 40 --seed 2)
+if(out STREQUAL first)
+  message(SEND_ERROR "seeds 1 and 2 give the same knot")
+endif()
+
+refused("target random-knot" "from 1 to 200" target random-knot --cables 0)
+refused("target circle" "at least 3" target circle --vertices 2)
