@@ -20,10 +20,9 @@ struct ThinOptions {
 // Takes out the cable whose loss is predicted to cost least once the others have been refitted (to
 // first order), then refits stiffnesses and attachments as slide() does - first by damped
 // Gauss-Newton steps, which get close in a few dozen solves, then with the optimizer chosen - again
-// and again. A network
-// that is too far from the target, or softer than OuterOptions::least_eigenvalue, is not accepted;
-// then the next cable is tried. Every accepted network has a row in the trace. Requires an
-// equilibrium in which every cable pulls.
+// and again. A network that is too far from the target, or softer than
+// OuterOptions::least_eigenvalue, is not accepted; then the next cable is tried. Every accepted
+// network has a row in the trace. Requires an equilibrium in which every cable pulls.
 StageResult thin(const Network& network, const sensitivity::Target& target, const Rules& rules,
                  const optimize::Backend& backend, const ThinOptions& options = {},
                  const Control& control = {});
