@@ -1,5 +1,7 @@
 #include "record.hpp"
 
+#include <range/v3/view/zip.hpp>
+#include <span>
 #include <utility>
 
 namespace tencer::pipeline {
@@ -17,17 +19,16 @@ void record(const equilibrium::Structure& structure, const equilibrium::State& s
             io::Design& design) {
   const auto deviation = sensitivity::deviation(target, state);
   const Eigen::Matrix3d back = deviation.motion.rotation.transpose();
-  for (std::size_t r = 0; r < state.size(); ++r)
-    design.rods[r].pose =
-        units.unscaled(back * (state[r].x.colwise() - deviation.motion.translation));
+  for (auto&& [rod, rod_state] : ranges::views::zip(design.rods, state))
+    rod.pose = units.unscaled(back * (rod_state.x.colwise() - deviation.motion.translation));
 
   const equilibrium::Certificate certificate = equilibrium::certify(structure, state, tensions);
   const equilibrium::System system(structure);
-  for (std::size_t c = 0; c < structure.cables.size(); ++c) {
-    design.cables[c].length =
-        equilibrium::span_of(system.stencils()[c], state).norm() * units.scale.length;
-    design.cables[c].tension =
-        certificate.tensions[static_cast<Eigen::Index>(c)] * units.scale.force();
+  const std::span taut(certificate.tensions.data(), structure.cables.size());
+  for (auto&& [cable, stencil, tension] :
+       ranges::views::zip(design.cables, system.stencils(), taut)) {
+    cable.length = equilibrium::span_of(stencil, state).norm() * units.scale.length;
+    cable.tension = tension * units.scale.force();
   }
   design.error = {.max_percent = deviation.max_percent, .rms_percent = deviation.rms_percent};
   design.certificate =
