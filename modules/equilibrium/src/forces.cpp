@@ -38,7 +38,10 @@ Eigen::Vector3d step_of(const System& system, const Eigen::VectorXd& step, int r
 double relative_residual(const System& system, const Eigen::VectorXd& gradient,
                          const Eigen::VectorXd& rod_gradient) {
   const Size size = size_of(system.structure());
-  return gradient.norm() / (rod_gradient.norm() + size.bending / (size.length * size.length));
+  const double internal = system.load_gradient().size() > 0
+                              ? (rod_gradient - system.load_gradient()).norm()
+                              : rod_gradient.norm();
+  return gradient.norm() / (internal + size.bending / (size.length * size.length));
 }
 
 ForceBalance force_balance(const System& system, const State& state) {

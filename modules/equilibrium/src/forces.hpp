@@ -6,7 +6,8 @@
 
 namespace tencer::equilibrium {
 
-// |gradient| / (|gradient of the rods| + max EI / L^2).
+// |gradient| / (|gradient of the rods alone| + max EI / L^2); rod_gradient is the system's, with
+// loads.
 double relative_residual(const System& system, const Eigen::VectorXd& gradient,
                          const Eigen::VectorXd& rod_gradient);
 

@@ -1,6 +1,5 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
-
 #include <cmath>
 #include <tencer/der/energy.hpp>
 #include <tencer/equilibrium/rigid_modes.hpp>
@@ -8,16 +7,22 @@
 namespace tencer::equilibrium {
 namespace {
 
+// The matrix that takes w to w x a.
+Eigen::Matrix3d cross_with(const Eigen::Vector3d& a) {
+  Eigen::Matrix3d matrix;
+  matrix << 0, a.z(), -a.y(), -a.z(), 0, a.x(), a.y(), -a.x(), 0;
+  return matrix;
+}
+
 // A rigid motion is (v, w): p moves by v + w x (p - centre) / radius. Both parts are lengths.
 struct Frame {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double radius = 1.0;
 
   Eigen::Matrix<double, 3, 6> velocity(const Eigen::Vector3d& p) const {
-    const Eigen::Vector3d arm = (p - centre) / radius;
     Eigen::Matrix<double, 3, 6> rows;
     rows.leftCols<3>().setIdentity();
-    rows.rightCols<3>() << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;
+    rows.rightCols<3>() = cross_with((p - centre) / radius);
     return rows;
   }
   // Rate at which a material frame with tangent t turns about t.
@@ -56,7 +61,7 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& rows) {
   return svd.matrixV().rightCols(6 - rank);
 }
 
-// The rigid motions that the supports of a group allow, 6 x k.
+// The rigid motions that the supports and loads of a group allow, 6 x k.
 Eigen::MatrixXd allowed_motions(const System& system, const State& state, int group,
                                 const Frame& frame) {
   const Structure& structure = system.structure();
@@ -83,6 +88,17 @@ Eigen::MatrixXd allowed_motions(const System& system, const State& state, int gr
     if (rod.clamp_end_frame)
       rows.push_back(frame.spin(state[r].frames.tangent.col(rod.edges() - 1)));
   }
+  // Turned by w, a force f on the rods no longer balances what does not turn with them: w x f = 0.
+  const auto add_load = [&](int rod, const Eigen::Vector3d& force) {
+    if (!in_group(rod) || force.isZero(0)) return;
+    const Eigen::Matrix3d turned = cross_with(force.normalized());
+    for (int axis = 0; axis < 3; ++axis) {
+      auto& row = rows.emplace_back(Eigen::Matrix<double, 1, 6>::Zero());
+      row.tail<3>() = turned.row(axis);
+    }
+  };
+  for (const LineLoad& load : structure.line_loads) add_load(load.rod, load.force_per_length);
+  for (const PointLoad& load : structure.point_loads) add_load(load.rod, load.force);
   if (structure.planar)
     for (int held : {2, 3, 4}) rows.push_back(Eigen::Matrix<double, 1, 6>::Unit(held));
   Eigen::MatrixXd stacked(static_cast<Eigen::Index>(rows.size()), 6);
@@ -149,6 +165,15 @@ void anchor(const System& system, const std::vector<RigidModes>& modes,
   for (std::size_t g = 0; g < modes.size(); ++g)
     system.add_anchoring(static_cast<int>(g),
                          mu * modes[g].anchoring * modes[g].anchoring.transpose(), matrix);
+}
+
+bool holds_loads(const System& system, const std::vector<RigidModes>& modes) {
+  constexpr double tolerance = 1e-9;
+  const Eigen::VectorXd& load = system.load_gradient();
+  if (load.size() == 0) return true;
+  for (const auto& mode : modes)
+    if (!((mode.basis.transpose() * load).norm() <= tolerance * load.norm())) return false;
+  return true;
 }
 
 void remove_rigid(const std::vector<RigidModes>& modes, Eigen::Ref<Eigen::VectorXd> v) {

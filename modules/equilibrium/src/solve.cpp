@@ -158,6 +158,8 @@ void Newton::finish(Point&& point, Reason reason) {
 void Newton::run(State start) {
   Point now = evaluate(std::move(start));
   if (!std::isfinite(now.energy)) return finish(std::move(now), Reason::not_finite);
+  if (system_.load_gradient().size() > 0 && !holds_loads(system_, rigid_modes(system_, now.state)))
+    return finish(std::move(now), Reason::not_held);
   now.forces = system_.internal_forces(now.state);
 
   Point reference;  // the last point that lowered the energy, and the step tried from there
@@ -250,6 +252,9 @@ std::string describe(Reason reason) {
       return "the iteration limit was reached";
     case Reason::no_descent:
       return "no step lowers the energy, although forces are not in balance";
+    case Reason::not_held:
+      return "there is no equilibrium: nothing holds the rods against their loads; pin them or tie "
+             "them to anchors";
     case Reason::not_finite:
       return "the energy of the starting state is not finite (a folded rod or a zero-length edge)";
     case Reason::stopped:

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <tencer/core/error.hpp>
 #include <tencer/equilibrium/structure.hpp>
@@ -16,6 +17,13 @@ void validate(const Structure& structure) {
     core::require(pin.rod >= 0 && pin.rod < rods && pin.vertex >= 0 &&
                       pin.vertex < structure.rods[pin.rod].vertices(),
                   "structure: a pin must name a rod and a vertex that exist");
+  const auto check_load = [&](int rod, const Eigen::Vector3d& force, double s) {
+    core::require(rod >= 0 && rod < rods && force.allFinite() && std::isfinite(s),
+                  "structure: a load must be finite and name a rod that exists");
+  };
+  for (const PointLoad& load : structure.point_loads) check_load(load.rod, load.force, load.s);
+  for (const LineLoad& load : structure.line_loads)
+    check_load(load.rod, load.force_per_length, 0.0);
 }
 
 State make_state(const Structure& structure, const std::vector<Eigen::Matrix3Xd>& positions) {

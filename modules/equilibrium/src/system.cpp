@@ -29,6 +29,27 @@ std::vector<std::vector<int>> number_unknowns(const Structure& structure, int& s
   return index;
 }
 
+// Loads as forces on vertices: half of each edge's share, and the shares of the ends of the edge
+// that a point is on.
+std::vector<Eigen::Matrix3Xd> vertex_loads(const Structure& structure,
+                                           const std::vector<geometry::ArcLength>& arc_lengths) {
+  std::vector<Eigen::Matrix3Xd> loads;
+  if (structure.point_loads.empty() && structure.line_loads.empty()) return loads;
+  for (const auto& rod : structure.rods) loads.push_back(Eigen::Matrix3Xd::Zero(3, rod.vertices()));
+  const auto add = [&](int rod, int edge, double t, const Eigen::Vector3d& force) {
+    loads[rod].col(edge) += (1 - t) * force;
+    loads[rod].col((edge + 1) % structure.rods[rod].vertices()) += t * force;
+  };
+  for (const LineLoad& load : structure.line_loads)
+    for (int j = 0; j < structure.rods[load.rod].edges(); ++j)
+      add(load.rod, j, 0.5, structure.rods[load.rod].rest_lengths[j] * load.force_per_length);
+  for (const PointLoad& load : structure.point_loads) {
+    const auto at = arc_lengths[load.rod].locate(load.s);
+    add(load.rod, at.edge, at.t, load.force);
+  }
+  return loads;
+}
+
 std::vector<int> stencil_unknowns(const springs::Stencil& stencil,
                                   const std::vector<std::vector<int>>& index) {
   std::vector<int> list;
@@ -53,6 +74,11 @@ System::System(Structure structure, geometry::Side side)
   validate(structure_);
   for (const auto& rod : structure_.rods) arc_lengths_.emplace_back(rod.rest_lengths, rod.closed);
   index_ = number_unknowns(structure_, size_);
+  vertex_loads_ = vertex_loads(structure_, arc_lengths_);
+  if (!vertex_loads_.empty()) load_gradient_ = Eigen::VectorXd::Zero(size_);
+  for (std::size_t r = 0; r < vertex_loads_.size(); ++r)
+    for (Eigen::Index i = 0; i < vertex_loads_[r].size(); ++i)
+      if (index_[r][i] >= 0) load_gradient_[index_[r][i]] = -vertex_loads_[r].data()[i];
   for (std::size_t r = 0; r < structure_.rods.size(); ++r) {
     if (der::twist_model(structure_.rods[r]) == der::TwistModel::uniform) ++saddle_unknowns_;
     for (auto& element : der::elements(structure_.rods[r])) {
@@ -113,6 +139,8 @@ double System::energy(const State& state) const {
   for (std::size_t r = 0; r < state.size(); ++r) sum += der::energy(structure_.rods[r], state[r]);
   for (std::size_t c = 0; c < stencils_.size(); ++c)
     sum += springs::energy(structure_.cables[c], span_of(stencils_[c], state).norm());
+  for (std::size_t r = 0; r < vertex_loads_.size(); ++r)
+    sum -= vertex_loads_[r].cwiseProduct(state[r].x).sum();
   return sum;
 }
 
@@ -125,6 +153,7 @@ Eigen::VectorXd System::rod_gradient(const State& state) const {
     for (Eigen::Index i = 0; i < local.size(); ++i)
       if (index_[r][i] >= 0) gradient[index_[r][i]] += local[i];
   }
+  if (load_gradient_.size() > 0) gradient += load_gradient_;
   return gradient;
 }
 

@@ -1,5 +1,5 @@
 // The motions that leave a structure's energy as it is: rigid motions of each group of rods that
-// its supports allow.
+// its supports and loads allow. A load allows translations and turning about its own direction.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,6 +25,10 @@ std::vector<RigidModes> rigid_modes(const System& system, const State& state);
 // Adds mu Q Q^T for every group; mu is the mean diagonal entry, so conditioning does not suffer.
 void anchor(const System& system, const std::vector<RigidModes>& modes,
             linalg::SymmetricMatrix& matrix);
+
+// Whether loads do no work in these motions; if they do, the group moves on for ever and has no
+// equilibrium.
+bool holds_loads(const System& system, const std::vector<RigidModes>& modes);
 
 // v less its rigid part (orthogonal projection), in place.
 void remove_rigid(const std::vector<RigidModes>& modes, Eigen::Ref<Eigen::VectorXd> v);

@@ -43,6 +43,7 @@ enum class Reason {
   neutral,    // forces in balance, but some motion other than a rigid one costs nothing
   iteration_limit,
   no_descent,  // no step lowers the energy although forces are not in balance
+  not_held,    // a load on rods that no support holds against it
   not_finite,  // the starting state has infinite or undefined energy
   stopped
 };

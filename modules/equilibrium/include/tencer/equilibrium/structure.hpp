@@ -1,4 +1,4 @@
-// Rods, cables and supports: what stands or falls together (paper section 4).
+// Rods, cables, supports and loads: what stands or falls together (paper section 4).
 #pragma once
 
 #include <Eigen/Core>
@@ -16,15 +16,29 @@ struct Pin {
   std::array<bool, 3> axes{true, true, true};  // x, y, z
 };
 
+// Forces that stay the same however the structure moves: on the point of a rod at arc length s, as
+// springs::OnRod has it, or per rest length all along a rod, such as its weight.
+struct PointLoad {
+  int rod = 0;
+  double s = 0.0;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+};
+struct LineLoad {
+  int rod = 0;
+  Eigen::Vector3d force_per_length = Eigen::Vector3d::Zero();
+};
+
 struct Structure {
   std::vector<der::Rod> rods{};
   Eigen::Matrix3Xd anchors{};  // 3 x k, fixed points in space
   std::vector<springs::Cable> cables{};
   std::vector<Pin> pins{};
+  std::vector<PointLoad> point_loads{};
+  std::vector<LineLoad> line_loads{};
   bool planar = false;  // z of every vertex is held
 };
 
-// Throws std::invalid_argument, naming the field, when a rod, cable or pin is not usable.
+// Throws std::invalid_argument, naming the field, when a rod, cable, pin or load is not usable.
 void validate(const Structure& structure);
 
 using State = std::vector<der::RodState>;

@@ -42,9 +42,13 @@ class System {
 
   double energy(const State& state) const;
   Eigen::VectorXd gradient(const State& state) const;
-  // Its two parts.
+  // Its two parts: of the rods and the loads on them, which is what cables have to balance, and of
+  // the cables.
   Eigen::VectorXd rod_gradient(const State& state) const;
   void add_cable_gradient(const State& state, Eigen::VectorXd& gradient) const;
+
+  // The part of rod_gradient that loads have, the same at every state; empty without loads.
+  const Eigen::VectorXd& load_gradient() const { return load_gradient_; }
 
   // Writes the Hessian into `matrix` (a copy of pattern()). `forces`: those in the geometric
   // stiffness, see der::hessian; internal_forces(state) gives the Hessian itself. The
@@ -75,6 +79,8 @@ class System {
   std::vector<springs::Stencil> stencils_;
   std::vector<std::vector<int>> index_;
   std::vector<std::vector<int>> rod_elements_;  // in free unknowns, rod after rod
+  std::vector<Eigen::Matrix3Xd> vertex_loads_;  // force on every vertex of every rod, or no rods
+  Eigen::VectorXd load_gradient_;
   std::vector<int> group_of_rod_;
   std::vector<std::vector<int>> anchoring_unknowns_;
   std::unique_ptr<linalg::SymmetricAssembler> assembler_;
