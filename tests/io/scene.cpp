@@ -220,7 +220,7 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
       {ring + "parameters = {}\n", "s.toml:3: rod[0].parameters: belongs to family, not to curve"},
       {ring + "radius = 1\n",
        "s.toml:3: unknown key rod[0].radius; known here: curve, index, family, parameters, "
-       "vertices, closed, section"},
+       "vertices, closed, section, director, rest, closing_turns"},
       {"[[rod]]\ncurve = 'none.obj'\n", "s.toml:2: rod[0].curve: there is no file none.obj"},
       {"[[rod]]\ncurve = 'spoilt.obj'\n", "spoilt.obj:2: 'x' is not a number"},
       {ring + "index = 1\n", "s.toml:3: rod[0].index: there is no curve 1; use 0"},
@@ -256,17 +256,57 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
       {ring + "section = {poisson = 0.6}\n",
        "s.toml:3: rod[0].section.poisson: expected a number above -1, at most 0.5"},
       {ring + "section = {shape = 'square'}\n",
-       "s.toml:3: rod[0].section.shape: expected one of circle, found \"square\""},
+       "s.toml:3: rod[0].section.shape: expected one of circle, tube, rectangle, found \"square\""},
       {ring + "section = {EA = 1, GJ = 1}\n", "s.toml:3: the key rod[0].section.EI is missing"},
       {ring + "section = {EA = 1, EI = 0, GJ = 1}\n",
        "s.toml:3: rod[0].section.EI: expected a positive number, found 0"},
       {ring + "section = {EA = 1, EI = [1, -1], GJ = 1}\n",
        "s.toml:3: rod[0].section.EI: expected a positive number, or two of them [a, b]"},
       {ring + "section = {EA = 1, EI = 1, GJ = 1, radius = 1}\n",
-       "s.toml:3: unknown key rod[0].section.radius; known here: EA, EI, GJ"},
+       "s.toml:3: unknown key rod[0].section.radius; known here: EA, EI, GJ, "
+       "mass_per_length"},
+      {ring + "section = {shape = 'tube', outer_radius = 1}\n",
+       "s.toml:3: the key rod[0].section.inner_radius is missing"},
+      {ring + "section = {shape = 'tube', outer_radius = 1, inner_radius = 1}\n",
+       "s.toml:3: rod[0].section.inner_radius: must be smaller than outer_radius"},
+      {ring + "section = {shape = 'rectangle', width = 1, height = 0}\n",
+       "s.toml:3: rod[0].section.height: expected a positive number, found 0"},
+      {ring + "section = {shape = 'rectangle', radius = 1}\n",
+       "s.toml:3: unknown key rod[0].section.radius; known here: shape, width, height, "
+       "youngs_modulus, poisson, density"},
+      {ring + "director = [0, 0, 1]\n",
+       "s.toml:3: rod[0].director: has no meaning: the section bends alike about all axes and the "
+       "rod is straight at rest"},
+      {ring + "director = [0, 0, 0]\n",
+       "s.toml:3: rod[0].director: expected a direction, found [0, 0, 0]"},
+      {ring + "director = [0, 1]\n",
+       "s.toml:3: rod[0].director: expected a point [x, y, z], found an array of 2"},
+      {line + "closing_turns = 1\n", "s.toml:3: rod[0].closing_turns: belongs to closed rods"},
+      {ring + "rest = {curvature = 1, curve = 'both.obj'}\n",
+       "s.toml:3: unknown key rod[0].rest.curve; known here: curvature"},
+      {ring + "rest = {}\n", "s.toml:3: a rod needs either curve = \"FILE\" or family = \"NAME\""},
+      {ring + "rest = {curve = 'both.obj'}\n",
+       "s.toml:3: rest names 2 curves; say which with index = 0, 1, ..."},
+      {ring + "rest = {curve = 'both.obj', index = 1}\n",
+       "s.toml:3: rod[0].rest: the curve at rest is open, the target is not; both must be the "
+       "same"},
+      {ring + "rest = {family = 'circle', parameters = {radius = 1}}\n",
+       "s.toml:3: rod[0].rest: the curve at rest is 6.282151815625657 long and the target 16; they "
+       "must agree "
+       "to 1 %"},
+      {ring + "section = {EA = 1, EI = [1, 2], GJ = 1}\nrest = {curve = 'both.obj', index = 0}\n",
+       "s.toml:4: rod[0].rest: needs director = [x, y, z], the direction of the section's first "
+       "axis at the start of the curve"},
+      {"gravity = [0, 0, -10]\n" + ring, "s.toml:2: gravity needs section.density, in kg/m^3"},
+      {"gravity = [0, 0, -10]\n" + ring + "section = {EA = 1, EI = 1, GJ = 1}\n",
+       "s.toml:2: gravity needs section.mass_per_length, in kg/m"},
+      {"gravity = -10\n" + ring, "s.toml:1: gravity: expected a point [x, y, z], found -10"},
+      {"loads = [{rod = 0, s = 17, force = [1, 0, 0]}]\n" + ring,
+       "s.toml:1: loads[0].s: expected an arc length from 0 to 16"},
+      {"loads = [{rod = 0, s = 1}]\n" + ring, "s.toml:1: the key loads[0].force is missing"},
       {ring + "section = {young = 1}\n",
        "s.toml:3: unknown key rod[0].section.young; known here: shape, radius, youngs_modulus, "
-       "poisson, EA, EI, GJ"},
+       "poisson, density, EA, EI, GJ"},
       {"anchors = [[0, 0, 0], [1, 0]]\n" + ring,
        "s.toml:1: anchors[1]: expected a point [x, y, z], found an array of 2"},
       {"anchors = [[0, 0, inf]]\n" + ring,
@@ -354,6 +394,72 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
   }
   CHECK(folder.local(read_scene(folder / "none.toml").error().text()) ==
         "none.toml: there is no such file");
+}
+
+TEST_CASE("what rods are made of and carry is read") {
+  const Curves folder;
+  const Scene scene = folder.scene(R"(
+length_unit = "cm"
+force_unit = "mN"
+gravity = [0, 0, -10]
+loads = [{rod = 1, s = 0.5, force = [1, 2, 3]}]
+
+[[rod]]
+curve = "both.obj"
+index = 0
+section = {shape = "tube", outer_radius = 0.5, inner_radius = 0.3, youngs_modulus = 40, poisson = 0.25, density = 1000}
+closing_turns = -1.5
+
+[[rod]]
+curve = "both.obj"
+index = 1
+section = {shape = "rectangle", width = 0.2, height = 0.6, youngs_modulus = 40, density = 1000}
+director = [0, 0, 1]
+rest = {curvature = 0.1}
+
+[[rod]]
+family = "circle"
+parameters = {radius = 7}
+vertices = 16
+section = {EA = 3, EI = [2, 1], GJ = 0.5, mass_per_length = 0.25}
+rest = {family = "circle", parameters = {radius = 7}, vertices = 12, director = [0, 0, -2]}
+)");
+  REQUIRE(scene.rods.size() == 3);
+  // pi E (a^4 - b^4) / 4 and pi G (a^4 - b^4) / 2 with G = E / 2.5
+  const double fourth = std::pow(0.5, 4) - std::pow(0.3, 4);
+  const SceneRod& tube = scene.rods[0];
+  CHECK(tube.section.EA == Approx(40 * pi * 0.16));
+  CHECK(tube.section.EI[0] == Approx(40 * pi / 4 * fourth));
+  CHECK(tube.section.EI[1] == tube.section.EI[0]);
+  CHECK(tube.section.GJ == Approx(16 * pi / 2 * fourth));
+  CHECK(*tube.closing_angle == Approx(-3 * pi));
+  CHECK_FALSE(tube.director);
+
+  const SceneRod& strip = scene.rods[1];
+  CHECK(strip.section.EA == Approx(40 * 0.12));
+  CHECK(strip.section.EI[0] == Approx(40 * 0.2 * std::pow(0.6, 3) / 12));
+  CHECK(strip.section.EI[1] == Approx(40 * 0.6 * std::pow(0.2, 3) / 12));
+  CHECK(*strip.director == Eigen::Vector3d::UnitZ());
+  CHECK(strip.rest.curvature == 0.1);
+  CHECK_FALSE(strip.rest.curve);
+
+  const SceneRod& ring = scene.rods[2];
+  REQUIRE(ring.rest.curve);
+  CHECK(ring.rest.curve->vertices() == 12);
+  CHECK(*ring.rest.director == Eigen::Vector3d(0, 0, -2));
+
+  // 1000 kg/m^3 of 1 cm^2 weigh 1 N/m at 10 m/s^2: 10 mN a cm.
+  REQUIRE(scene.line_loads.size() == 3);
+  CHECK(scene.line_loads[0].force_per_length.z() == Approx(-10 * pi * 0.16));
+  CHECK(scene.line_loads[1].force_per_length.z() == Approx(-10 * 0.12));
+  CHECK(scene.line_loads[1].rod == 1);
+  // 0.25 kg/m: 2.5 N/m, 25 mN a cm.
+  CHECK(scene.line_loads[2].force_per_length.z() == Approx(-25));
+  CHECK(scene.line_loads[2].force_per_length.head<2>().isZero(0));
+  REQUIRE(scene.point_loads.size() == 1);
+  CHECK(scene.point_loads[0].rod == 1);
+  CHECK(scene.point_loads[0].s == 0.5);
+  CHECK(scene.point_loads[0].force == Eigen::Vector3d(1, 2, 3));
 }
 
 TEST_CASE("no text makes the scene reader throw") {

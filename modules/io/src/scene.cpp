@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <functional>
-#include <tencer/geometry/families.hpp>
 #include <tencer/geometry/sampling.hpp>
 #include <tencer/io/curve.hpp>
 #include <tencer/io/file.hpp>
@@ -8,6 +7,8 @@
 #include <utility>
 
 #include "bad_input.hpp"
+#include "scene_rods.hpp"
+#include "scene_section.hpp"
 #include "scene_targets.hpp"
 #include "scene_units.hpp"
 #include "text.hpp"
@@ -16,145 +17,7 @@
 namespace tencer::io {
 namespace {
 
-using geometry::Family;
 using geometry::Polyline;
-
-constexpr double default_poisson = 0.3;
-constexpr int fewest_vertices = 3;
-
-// ---- rods
-
-std::vector<Polyline> family_targets(const TomlTable& rod) {
-  const std::vector<Family> known = geometry::families();
-  std::vector<std::string_view> names;
-  for (const Family& family : known) names.push_back(family.name);
-  const std::string name = *rod.one_of("family", names);
-  const Family& family = *std::ranges::find(known, name, &Family::name);
-
-  std::vector<double> values;
-  for (const geometry::FamilyParameter& parameter : family.parameters)
-    values.push_back(parameter.standard);
-  if (const auto given = rod.table("parameters")) {
-    std::vector<std::string_view> keys;
-    for (const geometry::FamilyParameter& parameter : family.parameters)
-      keys.push_back(parameter.name);
-    given->only(keys);
-    for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] = given->number(keys[i]).value_or(values[i]);
-  }
-  const int vertices = rod.integer("vertices", fewest_vertices).value_or(family.vertices);
-  if (const auto problem = geometry::family_problem(family, values, vertices))
-    rod.fail(rod.has("parameters") ? "parameters" : "family", *problem);
-  return geometry::family_curves(family, values, vertices);
-}
-
-std::vector<Polyline> file_targets(const TomlTable& rod, const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / *rod.text("curve");
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored))
-    rod.fail("curve", "there is no file " + file.string());
-  std::vector<Polyline> curves = value_or_fail(read_curves(file));
-  if (const auto vertices = rod.integer("vertices", fewest_vertices))
-    for (Polyline& curve : curves) curve = geometry::resample(curve, *vertices);
-  return curves;
-}
-
-// What a [[rod]] table says about the sections of its rods.
-struct SectionWish {
-  std::optional<Section> direct;
-  std::optional<double> radius;
-  std::optional<double> youngs_modulus;
-  double poisson = default_poisson;
-};
-
-// EI as one number or as [a, b].
-Eigen::Vector2d bending_stiffness(const TomlTable& section) {
-  if (!section.is_array("EI"))
-    return Eigen::Vector2d::Constant(section.need("EI", section.positive("EI")));
-  const std::vector<double> pair = *section.numbers("EI");
-  if (pair.size() != 2 || pair[0] <= 0 || pair[1] <= 0)
-    section.fail("EI", "expected a positive number, or two of them [a, b]");
-  return {pair[0], pair[1]};
-}
-
-SectionWish section_wish(const TomlTable& rod) {
-  SectionWish wish;
-  const auto section = rod.table("section");
-  if (!section) return wish;
-  if (section->has("EA") || section->has("EI") || section->has("GJ")) {
-    section->only({"EA", "EI", "GJ"});
-    Section direct;
-    direct.EA = section->need("EA", section->positive("EA"));
-    direct.GJ = section->need("GJ", section->positive("GJ"));
-    direct.EI = bending_stiffness(*section);
-    wish.direct = direct;
-    return wish;
-  }
-  section->only({"shape", "radius", "youngs_modulus", "poisson", "EA", "EI", "GJ"});
-  section->one_of("shape", std::array<std::string_view, 1>{"circle"});
-  wish.radius = section->positive("radius");
-  wish.youngs_modulus = section->positive("youngs_modulus");
-  wish.poisson = section->number("poisson").value_or(wish.poisson);
-  if (wish.poisson <= -1.0 || wish.poisson > 0.5)
-    section->fail("poisson", "expected a number above -1, at most 0.5");
-  return wish;
-}
-
-struct ListedRod {
-  SceneRod rod;
-  SectionWish section;
-};
-
-std::vector<ListedRod> read_rod(const TomlTable& table, const std::filesystem::path& folder) {
-  table.only({"curve", "index", "family", "parameters", "vertices", "closed", "section"});
-  if (table.has("curve") == table.has("family"))
-    fail(table.where(), "a rod needs either curve = \"FILE\" or family = \"NAME\"");
-  if (table.has("parameters") && !table.has("family"))
-    table.fail("parameters", "belongs to family, not to curve");
-  table.text("curve");
-  std::vector<Polyline> curves =
-      table.has("curve") ? file_targets(table, folder) : family_targets(table);
-  if (const auto index = table.integer("index", 0)) {
-    if (*index >= static_cast<int>(curves.size()))
-      table.fail("index", "there is no curve " + std::to_string(*index) + "; " +
-                              index_range(static_cast<int>(curves.size())));
-    curves = {curves[*index]};
-  }
-  if (const auto closed = table.boolean("closed"))
-    for (const Polyline& curve : curves)
-      if (curve.closed != *closed)
-        table.fail("closed", curve.closed ? "is false, but the curve is closed: its end meets its "
-                                            "start; remove the key or open the curve"
-                                          : "is true, but the curve is open: its last point does "
-                                            "not repeat its first; remove the key or close the "
-                                            "curve");
-  const SectionWish section = section_wish(table);
-  std::vector<ListedRod> rods;
-  for (Polyline& curve : curves) {
-    SceneRod rod;
-    rod.weights = Eigen::VectorXd::Ones(curve.vertices());
-    rod.target = std::move(curve);
-    rod.source = table.where();
-    rods.push_back({std::move(rod), section});
-  }
-  return rods;
-}
-
-void read_rods(const TomlTable& root, const std::filesystem::path& folder, Scene& scene) {
-  std::vector<SectionWish> wishes;
-  for (const TomlTable& table : root.tables("rod"))
-    for (ListedRod& listed : read_rod(table, folder)) {
-      scene.rods.push_back(std::move(listed.rod));
-      wishes.push_back(listed.section);
-    }
-  if (scene.rods.empty()) fail(root.where(), "a scene needs at least one [[rod]] table");
-  const double radius = default_radius(scene.rods);
-  const double modulus = glass_fibre_modulus(scene.length_unit, scene.force_unit);
-  for (std::size_t i = 0; i < wishes.size(); ++i)
-    scene.rods[i].section = wishes[i].direct.value_or(
-        circular_section(wishes[i].radius.value_or(radius),
-                         wishes[i].youngs_modulus.value_or(modulus), wishes[i].poisson));
-}
 
 // ---- what refers to rods
 
@@ -184,6 +47,17 @@ Pin read_pin(const TomlTable& table, const Scene& scene) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     pin.axes[axis] = axes.find("xyz"[axis]) != std::string::npos;
   return pin;
+}
+
+PointLoad read_load(const TomlTable& table, const Scene& scene) {
+  table.only({"rod", "s", "force"});
+  PointLoad load;
+  load.rod = rod_index(table, scene);
+  load.s = table.need("s", table.at_least_zero("s"));
+  const double length = geometry::edge_lengths(scene.rods[load.rod].target).sum();
+  if (load.s > length) table.fail("s", "expected an arc length from 0 to " + to_text(length));
+  load.force = table.need("force", table.point("force"));
+  return load;
 }
 
 Arc read_arc(const TomlTable& table, const SceneRod& rod) {
@@ -295,7 +169,8 @@ void read_design(const TomlTable& design, Scene& scene) {
 }
 
 Scene parse_scene(const TomlTable& root, const std::filesystem::path& path) {
-  root.only({"name", "length_unit", "force_unit", "planar", "anchors", "pinned", "rod", "design"});
+  root.only({"name", "length_unit", "force_unit", "planar", "anchors", "pinned", "gravity", "loads",
+             "rod", "design"});
   Scene scene;
   scene.name = root.text("name").value_or(path.stem().string());
   scene.source = path.string();
@@ -303,8 +178,11 @@ Scene parse_scene(const TomlTable& root, const std::filesystem::path& path) {
   scene.force_unit = root.one_of("force_unit", force_units).value_or(scene.force_unit);
   scene.planar = root.boolean("planar").value_or(scene.planar);
   scene.anchors = root.points("anchors").value_or(scene.anchors);
-  read_rods(root, path.parent_path(), scene);
+  read_rods(root, path.parent_path(), root.point("gravity").value_or(Eigen::Vector3d::Zero()),
+            scene);
   for (const TomlTable& pin : root.tables("pinned")) scene.pinned.push_back(read_pin(pin, scene));
+  for (const TomlTable& load : root.tables("loads"))
+    scene.point_loads.push_back(read_load(load, scene));
   if (const auto design = root.table("design")) read_design(*design, scene);
   check_vertices(scene.rods, path.string());
   if (scene.planar) check_plane(scene, root.where("planar"));
@@ -327,19 +205,13 @@ core::Expected<Scene> scene_of_curves(std::vector<Polyline> curves,
     Scene scene;
     scene.name = source.stem().string();
     scene.source = source.string();
-    for (Polyline& curve : curves) {
-      SceneRod rod;
-      rod.weights = Eigen::VectorXd::Ones(curve.vertices());
-      rod.target = std::move(curve);
-      rod.source = source.string();
-      scene.rods.push_back(std::move(rod));
-    }
+    for (Polyline& curve : curves)
+      scene.rods.push_back(plain_rod(std::move(curve), source.string()));
     if (scene.rods.empty()) fail(source.string(), "holds no curves");
     check_vertices(scene.rods, source.string());
-    const Section section =
-        circular_section(default_radius(scene.rods),
-                         glass_fibre_modulus(scene.length_unit, scene.force_unit), default_poisson);
-    for (SceneRod& rod : scene.rods) rod.section = section;
+    const Section all =
+        section({}, default_radius(scene.rods), {scene.length_unit, scene.force_unit});
+    for (SceneRod& rod : scene.rods) rod.section = all;
     return scene;
   });
 }

@@ -183,17 +183,27 @@ std::optional<std::vector<std::vector<int>>> TomlTable::integer_lists(std::strin
   return result;
 }
 
+Eigen::Vector3d TomlTable::point(const toml::node& node, const std::string& path) const {
+  const toml::array* list = node.as_array();
+  if (!list || list->size() != 3) expected(node, path, "a point [x, y, z]");
+  Eigen::Vector3d result;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    result[static_cast<Eigen::Index>(axis)] = finite((*list)[axis], element(path, axis));
+  return result;
+}
+
+std::optional<Eigen::Vector3d> TomlTable::point(std::string_view key) const {
+  const toml::node* node = table_->get(key);
+  if (!node) return std::nullopt;
+  return point(*node, path_to(key));
+}
+
 std::optional<Eigen::Matrix3Xd> TomlTable::points(std::string_view key) const {
   const toml::array* list = array(key, "an array of points [x, y, z]");
   if (!list) return std::nullopt;
   Eigen::Matrix3Xd result(3, list->size());
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const std::string path = element(path_to(key), i);
-    const toml::array* point = (*list)[i].as_array();
-    if (!point || point->size() != 3) expected((*list)[i], path, "a point [x, y, z]");
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      result(axis, i) = finite((*point)[axis], element(path, axis));
-  }
+  for (std::size_t i = 0; i < list->size(); ++i)
+    result.col(i) = point((*list)[i], element(path_to(key), i));
   return result;
 }
 

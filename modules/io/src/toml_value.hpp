@@ -44,6 +44,7 @@ class TomlTable {
   std::optional<int> integer(std::string_view key, int least) const;
   std::optional<std::vector<double>> numbers(std::string_view key) const;
   std::optional<std::vector<int>> integers(std::string_view key) const;
+  std::optional<Eigen::Vector3d> point(std::string_view key) const;
   std::optional<Eigen::Matrix3Xd> points(std::string_view key) const;
   std::optional<TomlTable> table(std::string_view key) const;
   std::vector<TomlTable> tables(std::string_view key) const;  // none when the key is not there
@@ -66,6 +67,7 @@ class TomlTable {
   [[noreturn]] void fail_missing(std::string_view key) const;
   [[noreturn]] void expected(const toml::node& node, const std::string& path,
                              const std::string& what) const;
+  Eigen::Vector3d point(const toml::node& node, const std::string& path) const;
   double finite(const toml::node& node, const std::string& path) const;
   int integer(const toml::node& node, const std::string& path) const;
   const toml::array* array(std::string_view key, const std::string& what) const;

@@ -9,22 +9,19 @@
 #include <string>
 #include <tencer/core/error.hpp>
 #include <tencer/geometry/polyline.hpp>
+#include <tencer/io/load.hpp>
 #include <tencer/io/pin.hpp>
 #include <vector>
 
 namespace tencer::io {
 
-// A rod's stiffnesses: EA a force, EI (about the two axes of the section) and GJ force times
-// length^2.
+// A rod's stiffnesses: EA a force, EI (about the first and second axis of the section) and GJ force
+// times length^2.
 struct Section {
   double EA = 0.0;
   Eigen::Vector2d EI = Eigen::Vector2d::Zero();
   double GJ = 0.0;
 };
-
-// A full circle: EA = E pi r^2, EI = E pi r^4 / 4, GJ = G pi r^4 / 2, G = E / (2 (1 + poisson)).
-// youngs_modulus in force per length^2.
-Section circular_section(double radius, double youngs_modulus, double poisson);
 
 // Young's modulus of glass fibre, 40 GPa (paper table 1), in force_unit / length_unit^2. Units: mm,
 // cm, m; mN, N, kN.
@@ -37,9 +34,23 @@ struct Arc {
   double to = 0.0;
 };
 
+// How a rod is bent at rest: straight; or with the same curvature (1 / length) all along, towards
+// the section's first axis; or along a curve, open or closed and as long as the target, with the
+// section's first axis at its start turned to `director`, as far as that is perpendicular to it.
+struct RestShape {
+  double curvature = 0.0;
+  std::optional<geometry::Polyline> curve = std::nullopt;
+  std::optional<Eigen::Vector3d> director = std::nullopt;
+};
+
 struct SceneRod {
   geometry::Polyline target;
   Section section;
+  RestShape rest;
+  // Where the section's first axis points at the start of the target, to begin with; not set:
+  // however the rod likes best.
+  std::optional<Eigen::Vector3d> director;
+  std::optional<double> closing_angle;  // of a closed rod, radians; not set: free
   Eigen::VectorXd weights;              // of each vertex in the distance to the target; >= 0
   std::vector<Arc> forbidden_arcs;      // no cable attaches here
   std::vector<int> forbidden_vertices;  // nor here
@@ -48,9 +59,9 @@ struct SceneRod {
 
 struct DesignSettings {
   std::string method = "dense-springs";
-  std::string optimizer = "ipopt";         // ipopt, mma, ccsaq
+  std::string optimizer = "ipopt";       // ipopt, mma, ccsaq
   std::string hessian = "gauss-newton";  // limited-memory, gauss-newton, exact; ipopt only
-  double max_error = 1.0;                  // percent of the bounding-box diagonal
+  double max_error = 1.0;                // percent of the bounding-box diagonal
   // Cables only within these pairs of rods; [i, i] is within a rod. None: all pairs.
   std::optional<std::vector<std::array<int, 2>>> rod_pairs = std::nullopt;
   bool external = true;  // cables to the anchors, if there are any
@@ -69,7 +80,9 @@ struct Scene {
   std::vector<SceneRod> rods;
   Eigen::Matrix3Xd anchors = Eigen::Matrix3Xd(3, 0);
   std::vector<Pin> pinned;
-  bool planar = false;  // all z coordinates are the same and stay so
+  std::vector<PointLoad> point_loads;
+  std::vector<LineLoad> line_loads;  // the rods' weights
+  bool planar = false;               // all z coordinates are the same and stay so
   DesignSettings design;
 };
 

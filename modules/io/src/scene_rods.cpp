@@ -1,0 +1,200 @@
+#include "scene_rods.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tencer/geometry/families.hpp>
+#include <tencer/geometry/sampling.hpp>
+#include <tencer/io/curve.hpp>
+#include <utility>
+
+#include "bad_input.hpp"
+#include "scene_section.hpp"
+#include "scene_targets.hpp"
+#include "text.hpp"
+
+namespace tencer::io {
+namespace {
+
+using geometry::Family;
+using geometry::Polyline;
+
+constexpr int fewest_vertices = 3;
+
+std::vector<Polyline> family_targets(const TomlTable& rod) {
+  const std::vector<Family> known = geometry::families();
+  std::vector<std::string_view> names;
+  for (const Family& family : known) names.push_back(family.name);
+  const std::string name = *rod.one_of("family", names);
+  const Family& family = *std::ranges::find(known, name, &Family::name);
+
+  std::vector<double> values;
+  for (const geometry::FamilyParameter& parameter : family.parameters)
+    values.push_back(parameter.standard);
+  if (const auto given = rod.table("parameters")) {
+    std::vector<std::string_view> keys;
+    for (const geometry::FamilyParameter& parameter : family.parameters)
+      keys.push_back(parameter.name);
+    given->only(keys);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = given->number(keys[i]).value_or(values[i]);
+  }
+  const int vertices = rod.integer("vertices", fewest_vertices).value_or(family.vertices);
+  if (const auto problem = geometry::family_problem(family, values, vertices))
+    rod.fail(rod.has("parameters") ? "parameters" : "family", *problem);
+  return geometry::family_curves(family, values, vertices);
+}
+
+std::vector<Polyline> file_targets(const TomlTable& rod, const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / *rod.text("curve");
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+    rod.fail("curve", "there is no file " + file.string());
+  std::vector<Polyline> curves = value_or_fail(read_curves(file));
+  if (const auto vertices = rod.integer("vertices", fewest_vertices))
+    for (Polyline& curve : curves) curve = geometry::resample(curve, *vertices);
+  return curves;
+}
+
+// The curves that a table names by `curve` and `index` or by `family` and `parameters`.
+std::vector<Polyline> curves_of(const TomlTable& table, const std::filesystem::path& folder) {
+  if (table.has("curve") == table.has("family"))
+    fail(table.where(), "a rod needs either curve = \"FILE\" or family = \"NAME\"");
+  if (table.has("parameters") && !table.has("family"))
+    table.fail("parameters", "belongs to family, not to curve");
+  table.text("curve");
+  std::vector<Polyline> curves =
+      table.has("curve") ? file_targets(table, folder) : family_targets(table);
+  if (const auto index = table.integer("index", 0)) {
+    if (*index >= static_cast<int>(curves.size()))
+      table.fail("index", "there is no curve " + std::to_string(*index) + "; " +
+                              index_range(static_cast<int>(curves.size())));
+    curves = {curves[*index]};
+  }
+  return curves;
+}
+
+Eigen::Vector3d direction(const TomlTable& table, std::string_view key) {
+  const Eigen::Vector3d vector = *table.point(key);
+  if (vector.isZero(0)) table.fail(key, "expected a direction, found [0, 0, 0]");
+  return vector;
+}
+
+RestShape read_rest(const TomlTable& rest, const std::filesystem::path& folder) {
+  RestShape shape;
+  if (rest.has("curvature")) {
+    rest.only({"curvature"});
+    shape.curvature = *rest.number("curvature");
+    return shape;
+  }
+  rest.only({"curve", "index", "family", "parameters", "vertices", "director", "curvature"});
+  std::vector<Polyline> curves = curves_of(rest, folder);
+  if (curves.size() != 1)
+    fail(rest.where(),
+         "rest names " + std::to_string(curves.size()) + " curves; say which with index = 0, 1, ...");
+  shape.curve = std::move(curves[0]);
+  if (rest.has("director")) shape.director = direction(rest, "director");
+  return shape;
+}
+
+// What a rest curve must have in common with the target.
+void check_rest_curve(const TomlTable& table, const SceneRod& rod) {
+  constexpr double allowed = 0.01;
+  const Polyline& curve = *rod.rest.curve;
+  if (curve.closed != rod.target.closed)
+    table.fail("rest", std::string("the curve at rest is ") + (curve.closed ? "closed" : "open") +
+                           ", the target is not; both must be the same");
+  const double length = geometry::edge_lengths(curve).sum();
+  const double target = geometry::edge_lengths(rod.target).sum();
+  if (std::abs(length - target) > allowed * target)
+    table.fail("rest", "the curve at rest is " + to_text(length) + " long and the target " +
+                           to_text(target) + "; they must agree to 1 %");
+}
+
+struct ListedRod {
+  SceneRod rod;
+  SectionWish section;
+};
+
+std::vector<ListedRod> read_rod(const TomlTable& table, const std::filesystem::path& folder) {
+  table.only({"curve", "index", "family", "parameters", "vertices", "closed", "section", "director",
+              "rest", "closing_turns"});
+  std::vector<Polyline> curves = curves_of(table, folder);
+  if (const auto closed = table.boolean("closed"))
+    for (const Polyline& curve : curves)
+      if (curve.closed != *closed)
+        table.fail("closed", curve.closed ? "is false, but the curve is closed: its end meets its "
+                                            "start; remove the key or open the curve"
+                                          : "is true, but the curve is open: its last point does "
+                                            "not repeat its first; remove the key or close the "
+                                            "curve");
+  const SectionWish section = section_wish(table);
+  std::vector<ListedRod> rods;
+  for (Polyline& curve : curves) {
+    SceneRod rod = plain_rod(std::move(curve), table.where());
+    if (table.has("director")) rod.director = direction(table, "director");
+    if (const auto rest = table.table("rest")) {
+      rod.rest = read_rest(*rest, folder);
+      if (rod.rest.curve) check_rest_curve(table, rod);
+    }
+    if (const auto turns = table.number("closing_turns")) {
+      if (!rod.target.closed) table.fail("closing_turns", "belongs to closed rods");
+      rod.closing_angle = 2 * std::numbers::pi * *turns;
+    }
+    rods.push_back({std::move(rod), section});
+  }
+  return rods;
+}
+
+// Directors are for rods that can tell their axes apart, and bent strips need one.
+void check_directors(const TomlTable& table, const SceneRod& rod) {
+  const bool round = rod.section.EI[0] == rod.section.EI[1];
+  const bool straight = !rod.rest.curve && rod.rest.curvature == 0;
+  if (rod.director && round && straight)
+    table.fail("director",
+               "has no meaning: the section bends alike about all axes and the rod is "
+               "straight at rest");
+  if (rod.rest.curve && !rod.rest.director && !round)
+    table.fail("rest",
+               "needs director = [x, y, z], the direction of the section's first axis at "
+               "the start of the curve");
+}
+
+}  // namespace
+
+SceneRod plain_rod(Polyline target, std::string source) {
+  SceneRod rod;
+  rod.weights = Eigen::VectorXd::Ones(target.vertices());
+  rod.target = std::move(target);
+  rod.source = std::move(source);
+  return rod;
+}
+
+void read_rods(const TomlTable& root, const std::filesystem::path& folder,
+               const Eigen::Vector3d& gravity, Scene& scene) {
+  std::vector<SectionWish> wishes;
+  std::vector<TomlTable> tables;
+  for (const TomlTable& table : root.tables("rod"))
+    for (ListedRod& listed : read_rod(table, folder)) {
+      scene.rods.push_back(std::move(listed.rod));
+      wishes.push_back(listed.section);
+      tables.push_back(table);
+    }
+  if (scene.rods.empty()) fail(root.where(), "a scene needs at least one [[rod]] table");
+  const double radius = default_radius(scene.rods);
+  const Units units{scene.length_unit, scene.force_unit};
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
+    SceneRod& rod = scene.rods[i];
+    rod.section = section(wishes[i], radius, units);
+    check_directors(tables[i], rod);
+    if (gravity.isZero(0)) continue;
+    if (!wishes[i].density)
+      fail(tables[i].where(), wishes[i].shape == SectionShape::stiffnesses
+                                  ? "gravity needs section.mass_per_length, in kg/m"
+                                  : "gravity needs section.density, in kg/m^3");
+    scene.line_loads.push_back(
+        {static_cast<int>(i), weight_per_length(wishes[i], rod.section, gravity, units)});
+  }
+}
+
+}  // namespace tencer::io
