@@ -35,6 +35,14 @@ Design sample() {
                            .pose = Eigen::Matrix3Xd::NullaryExpr(3, n, number)});
   }
   design.rods[0].pose(0, 0) = -0.0;
+  DesignRod& closed = design.rods[0];
+  closed.closing_angle = number();
+  closed.rest_curvature = Eigen::Matrix2Xd::NullaryExpr(2, 4, number);
+  closed.rest_twist = Eigen::VectorXd::NullaryExpr(4, number);
+  closed.target_directors = Eigen::Matrix3Xd::NullaryExpr(3, 4, number);
+  design.rods[1].pose_directors = Eigen::Matrix3Xd::NullaryExpr(3, 2, number);
+  design.point_loads = {{1, 0.0, {number(), -number(), number()}}};
+  design.line_loads = {{0, {0, 0, -number()}}, {1, {0, 0, -number()}}};
   design.anchors = Eigen::Matrix3Xd::NullaryExpr(3, 2, number);
   design.pinned = {{0, 3, {true, false, true}}, {1, 0, {true, true, true}}};
   design.cables.push_back({.a = {.rod = 0, .s = design.rods[0].length()},
@@ -90,7 +98,19 @@ TEST_CASE("a design is read back to the last bit") {
     check_bits(a.rest_lengths, b.rest_lengths);
     check_bits(a.target, b.target);
     check_bits(a.pose, b.pose);
+    CHECK(a.closing_angle == b.closing_angle);
+    check_bits(a.rest_curvature, b.rest_curvature);
+    check_bits(a.rest_twist, b.rest_twist);
+    check_bits(a.target_directors, b.target_directors);
+    check_bits(a.pose_directors, b.pose_directors);
   }
+  REQUIRE(read->point_loads.size() == 1);
+  CHECK(read->point_loads[0].rod == 1);
+  CHECK(read->point_loads[0].s == 0.0);
+  CHECK(read->point_loads[0].force == design.point_loads[0].force);
+  REQUIRE(read->line_loads.size() == 2);
+  CHECK(read->line_loads[1].rod == 1);
+  CHECK(read->line_loads[1].force_per_length == design.line_loads[1].force_per_length);
   check_bits(read->anchors, design.anchors);
   REQUIRE(read->pinned.size() == 2);
   CHECK(read->pinned[0].rod == 0);
@@ -214,6 +234,12 @@ TEST_CASE("a design by another program needs the essentials only and may have ke
   CHECK_FALSE(read->planar);
   CHECK_FALSE(read->error);
   CHECK(read->anchors.cols() == 0);
+  CHECK(read->point_loads.empty());
+  CHECK(read->line_loads.empty());
+  CHECK_FALSE(read->rods[0].closing_angle);
+  CHECK(read->rods[0].rest_curvature.cols() == 0);
+  CHECK(read->rods[0].rest_twist.size() == 0);
+  CHECK(read->rods[0].target_directors.cols() == 0);
 }
 
 TEST_CASE("bad designs are refused by the writer, and the old file stays") {
@@ -242,6 +268,24 @@ TEST_CASE("bad designs are refused by the writer, and the old file stays") {
        "rods[0].pose[2]: zero-length edge: the next point is the same"},
       {[](Design& d) { d.rods[1].target.col(2) = d.rods[1].target.col(0); },
        "rods[1].target[1]: the rod turns straight back here, which none can follow"},
+      {[](Design& d) { d.rods[1].closing_angle = 1.0; },
+       "rods[1].closing_angle: belongs to closed rods"},
+      {[](Design& d) { d.rods[0].rest_curvature = Eigen::Matrix2Xd::Zero(2, 3); },
+       "rods[0].rest_curvature: expected 4 pairs, found 3"},
+      {[](Design& d) { d.rods[1].rest_twist = Eigen::VectorXd::Zero(2); },
+       "rods[1].rest_twist: expected 1 numbers, found 2"},
+      {[](Design& d) { d.rods[0].target_directors.conservativeResize(3, 3); },
+       "rods[0].target_directors: expected 4 directions, one an edge, found 3"},
+      {[](Design& d) {
+         d.rods[1].pose_directors.col(1) = d.rods[1].pose.col(1) - d.rods[1].pose.col(2);
+       },
+       "rods[1].pose_directors[1]: expected a direction that is not along the edge"},
+      {[](Design& d) { d.point_loads[0].rod = 2; },
+       "point_loads[0].rod: there is no rod 2; use 0 to 1"},
+      {[](Design& d) { d.point_loads[0].force[1] = no_number; },
+       "point_loads[0].force[1]: expected a finite number, found null"},
+      {[](Design& d) { d.line_loads[1].rod = -1; },
+       "line_loads[1].rod: expected a whole number from 0, found -1"},
       {[](Design& d) { d.anchors(0, 1) = no_number; },
        "anchors[1][0]: expected a finite number, found null"},
       {[](Design& d) { d.pinned[1].vertex = 3; },

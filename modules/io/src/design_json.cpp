@@ -1,5 +1,6 @@
 #include "design_json.hpp"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -49,6 +50,47 @@ Eigen::Matrix3Xd read_shape(const JsonValue& value, bool closed) {
   return points;
 }
 
+// One direction an edge, none along it.
+Eigen::Matrix3Xd read_directors(const JsonValue& value, const Eigen::Matrix3Xd& points, int edges) {
+  constexpr double least = 1e-6;  // sine of the angle to the edge
+  const Eigen::Matrix3Xd directors = value.points();
+  check_count(value, directors.cols(), edges, "directions, one an edge");
+  for (int j = 0; j < edges; ++j) {
+    const Eigen::Vector3d t = (points.col((j + 1) % points.cols()) - points.col(j)).normalized();
+    const Eigen::Vector3d m1 = directors.col(j);
+    if (!(m1.cross(t).norm() > least * m1.norm()))
+      value.items()[j].fail("expected a direction that is not along the edge");
+  }
+  return directors;
+}
+
+// What only some rods have.
+void read_frames(const JsonValue& value, DesignRod& rod) {
+  const int edges = static_cast<int>(rod.rest_lengths.size());
+  const int bends = rod.closed ? edges : edges - 1;
+  if (value.has("closing_angle")) {
+    if (!rod.closed) value["closing_angle"].fail("belongs to closed rods");
+    rod.closing_angle = value["closing_angle"].number();
+  }
+  if (value.has("rest_curvature")) {
+    const std::vector<JsonValue> pairs = value["rest_curvature"].items();
+    check_count(value["rest_curvature"], static_cast<long>(pairs.size()), bends, "pairs");
+    rod.rest_curvature.resize(2, bends);
+    for (int b = 0; b < bends; ++b) {
+      check_count(pairs[b], pairs[b].numbers().size(), 2, "numbers");
+      rod.rest_curvature.col(b) = pairs[b].numbers();
+    }
+  }
+  if (value.has("rest_twist")) {
+    rod.rest_twist = value["rest_twist"].numbers();
+    check_count(value["rest_twist"], rod.rest_twist.size(), bends, "numbers");
+  }
+  if (value.has("target_directors"))
+    rod.target_directors = read_directors(value["target_directors"], rod.target, edges);
+  if (value.has("pose_directors"))
+    rod.pose_directors = read_directors(value["pose_directors"], rod.pose, edges);
+}
+
 DesignRod read_rod(const JsonValue& value) {
   DesignRod rod;
   rod.closed = value["closed"].boolean();
@@ -65,6 +107,7 @@ DesignRod read_rod(const JsonValue& value) {
   for (const JsonValue& item : value["rest_lengths"].items()) item.positive();
   rod.rest_lengths = value["rest_lengths"].numbers();
   check_count(value["rest_lengths"], rod.rest_lengths.size(), rod.closed ? n : n - 1, "numbers");
+  read_frames(value, rod);
   return rod;
 }
 
@@ -84,6 +127,28 @@ Pin read_pin(const JsonValue& value, const std::vector<DesignRod>& rods) {
   return pin;
 }
 
+// A place on a rod by its number and arc length.
+double read_arc_length(const JsonValue& value, const DesignRod& rod) {
+  const double s = value["s"].at_least_zero();
+  if (s > rod.length() * (1.0 + arc_slack))
+    value["s"].fail("expected an arc length from 0 to " + to_text(rod.length()) + ", found " +
+                    to_text(s));
+  return s;
+}
+
+PointLoad read_point_load(const JsonValue& value, const std::vector<DesignRod>& rods) {
+  PointLoad load;
+  load.rod = value["rod"].index(static_cast<int>(rods.size()), "rod");
+  load.s = read_arc_length(value, rods[load.rod]);
+  load.force = value["force"].point();
+  return load;
+}
+
+LineLoad read_line_load(const JsonValue& value, const std::vector<DesignRod>& rods) {
+  return {.rod = value["rod"].index(static_cast<int>(rods.size()), "rod"),
+          .force_per_length = value["force_per_length"].point()};
+}
+
 CableEnd read_end(const JsonValue& value, const Design& design) {
   if (value.has("rod") == value.has("anchor"))
     value.fail("expected {\"rod\", \"s\"} or {\"anchor\"}");
@@ -93,11 +158,7 @@ CableEnd read_end(const JsonValue& value, const Design& design) {
     return end;
   }
   end.rod = value["rod"].index(static_cast<int>(design.rods.size()), "rod");
-  end.s = value["s"].at_least_zero();
-  const double length = design.rods[end.rod].length();
-  if (end.s > length * (1.0 + arc_slack))
-    value["s"].fail("expected an arc length from 0 to " + to_text(length) + ", found " +
-                    to_text(end.s));
+  end.s = read_arc_length(value, design.rods[end.rod]);
   return end;
 }
 
@@ -167,6 +228,8 @@ Json to_json(const Eigen::VectorXd& numbers) {
   return Json(std::vector<double>(numbers.begin(), numbers.end()));
 }
 
+Json to_json(const Eigen::Vector3d& v) { return Json{v[0], v[1], v[2]}; }
+
 Json to_json(const DesignRod& rod) {
   Json result;
   result["closed"] = rod.closed;
@@ -176,6 +239,15 @@ Json to_json(const DesignRod& rod) {
   result["rest_lengths"] = to_json(rod.rest_lengths);
   result["target"] = to_json(rod.target);
   result["pose"] = to_json(rod.pose);
+  if (rod.closing_angle) result["closing_angle"] = *rod.closing_angle;
+  if (rod.rest_curvature.size() > 0) {
+    Json pairs = Json::array();
+    for (const auto& bend : rod.rest_curvature.colwise()) pairs.push_back({bend[0], bend[1]});
+    result["rest_curvature"] = pairs;
+  }
+  if (rod.rest_twist.size() > 0) result["rest_twist"] = to_json(rod.rest_twist);
+  if (rod.target_directors.size() > 0) result["target_directors"] = to_json(rod.target_directors);
+  if (rod.pose_directors.size() > 0) result["pose_directors"] = to_json(rod.pose_directors);
   return result;
 }
 
@@ -184,6 +256,14 @@ Json to_json(const Pin& pin) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (pin.axes[axis]) axes += axis_names[axis];
   return Json{{"rod", pin.rod}, {"vertex", pin.vertex}, {"axes", axes}};
+}
+
+Json to_json(const PointLoad& load) {
+  return Json{{"rod", load.rod}, {"s", load.s}, {"force", to_json(load.force)}};
+}
+
+Json to_json(const LineLoad& load) {
+  return Json{{"rod", load.rod}, {"force_per_length", to_json(load.force_per_length)}};
 }
 
 Json to_json(const CableEnd& end) {
@@ -265,6 +345,12 @@ Design design_from_json(const JsonValue& root) {
   if (root.has("pinned"))
     for (const JsonValue& pin : root["pinned"].items())
       design.pinned.push_back(read_pin(pin, design.rods));
+  if (root.has("point_loads"))
+    for (const JsonValue& load : root["point_loads"].items())
+      design.point_loads.push_back(read_point_load(load, design.rods));
+  if (root.has("line_loads"))
+    for (const JsonValue& load : root["line_loads"].items())
+      design.line_loads.push_back(read_line_load(load, design.rods));
   if (root.has("planar")) design.planar = root["planar"].boolean();
   for (const JsonValue& cable : root["cables"].items())
     design.cables.push_back(read_cable(cable, design));
@@ -289,6 +375,8 @@ Json design_to_json(const Design& design) {
   result["rods"] = list(design.rods);
   result["anchors"] = to_json(design.anchors);
   result["pinned"] = list(design.pinned);
+  if (!design.point_loads.empty()) result["point_loads"] = list(design.point_loads);
+  if (!design.line_loads.empty()) result["line_loads"] = list(design.line_loads);
   result["planar"] = design.planar;
   result["cables"] = list(design.cables);
   if (design.error)

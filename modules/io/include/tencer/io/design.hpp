@@ -7,14 +7,15 @@
 #include <optional>
 #include <string>
 #include <tencer/core/error.hpp>
+#include <tencer/io/load.hpp>
 #include <tencer/io/pin.hpp>
 #include <tencer/io/trace.hpp>
 #include <vector>
 
 namespace tencer::io {
 
-// n vertices; rest_lengths: n when closed, n - 1 when open; target and pose: 3 x n. In the file a
-// matrix of points is an array of n triples.
+// n vertices; e edges and rest_lengths, n when closed, n - 1 when open; target and pose: 3 x n. In
+// the file a matrix of points is an array of n triples.
 struct DesignRod {
   bool closed = false;
   double EA = 0.0;
@@ -23,6 +24,17 @@ struct DesignRod {
   Eigen::VectorXd rest_lengths;
   Eigen::Matrix3Xd target;
   Eigen::Matrix3Xd pose;
+  // Of a closed rod: the angle by which its end is turned against its start before the two are
+  // glued, radians; absent: however it likes.
+  std::optional<double> closing_angle = std::nullopt;
+  // Bends and twists at rest, as in der::Rod: 2 x b and b, b the vertices that are no ends. Empty,
+  // and not in the file: straight, untwisted.
+  Eigen::Matrix2Xd rest_curvature = Eigen::Matrix2Xd(2, 0);
+  Eigen::VectorXd rest_twist = Eigen::VectorXd(0);
+  // 3 x e: where the section's first axis points on every edge, as far as it is perpendicular to
+  // the edge. Empty, and not in the file: not known, or of no consequence.
+  Eigen::Matrix3Xd target_directors = Eigen::Matrix3Xd(3, 0);
+  Eigen::Matrix3Xd pose_directors = Eigen::Matrix3Xd(3, 0);
 
   double length() const { return rest_lengths.sum(); }
 };
@@ -75,6 +87,8 @@ struct Design {
   std::vector<DesignRod> rods;
   Eigen::Matrix3Xd anchors = Eigen::Matrix3Xd(3, 0);
   std::vector<Pin> pinned;
+  std::vector<PointLoad> point_loads;
+  std::vector<LineLoad> line_loads;
   bool planar = false;  // all z coordinates are held
   std::vector<DesignCable> cables;
   std::optional<DesignError> error = std::nullopt;  // absent in a design that nobody solved yet
@@ -82,9 +96,10 @@ struct Design {
   std::vector<TraceRow> trace;
 };
 
-// Keys that are not of the schema are left alone: other programs may add theirs. Everything else is
-// checked: sizes, indices, finite numbers, s in [0, length], positive stiffnesses and lengths.
-// Errors: "file: key", such as "design.json: rods[1].rest_lengths".
+// Keys that are not there mean none (anchors, pins, loads, ...). Keys that are not of the schema
+// are left alone: other programs may add theirs. Everything else is checked: sizes, indices, finite
+// numbers, s in [0, length], positive stiffnesses and lengths. Errors: "file: key", such as
+// "design.json: rods[1].rest_lengths".
 core::Expected<Design> read_design(const std::filesystem::path& path);
 
 // The text of the file, unchecked. All doubles round-trip.
