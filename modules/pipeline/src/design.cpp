@@ -92,23 +92,10 @@ class Route {
   std::vector<io::TraceRow> trace_;
 };
 
-// The design file's part that does not depend on the equilibrium.
-io::Design file_of(const io::Scene& scene, const sparsify::Network& network, const Units& units) {
-  io::Design design;
-  design.name = scene.name;
-  design.length_unit = scene.length_unit;
-  design.force_unit = scene.force_unit;
-  design.planar = scene.planar;
-  design.anchors = scene.anchors;
-  design.pinned = scene.pinned;
-  for (const auto& rod : scene.rods)
-    design.rods.push_back({.closed = rod.target.closed,
-                           .EA = rod.section.EA,
-                           .EI = rod.section.EI,
-                           .GJ = rod.section.GJ,
-                           .rest_lengths = geometry::edge_lengths(rod.target),
-                           .target = rod.target.points,
-                           .pose = rod.target.points});
+// The design file with its cables; what depends on the equilibrium is missing.
+io::Design file_of(const Prepared& prepared, const sparsify::Network& network) {
+  const Units& units = prepared.units;
+  io::Design design = prepared.file;
   for (const auto& cable : network.structure.cables)
     design.cables.push_back({.a = file_end(cable.a, network.structure, units),
                              .b = file_end(cable.b, network.structure, units),
@@ -163,7 +150,7 @@ core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& o
       sparsify::dense_springs(prepared->structure, target.points, *candidates);
   for (auto& cable : start.network.structure.cables)
     cable.stiffness *= settings.spring_stiffness / 100;
-  start.network.state = make_state(start.network.structure, target.points);
+  start.network.state = prepared->start;
 
   Route route(options, std::move(start));
   route.then([&](const auto& network) { return sparsify::prune(network, target, control); })
@@ -188,7 +175,7 @@ core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& o
       });
 
   const sparsify::StageResult& result = route.result();
-  io::Design design = file_of(scene, result.network, prepared->units);
+  io::Design design = file_of(*prepared, result.network);
   record(result.network.structure, result.network.state, sparsify::cable_tensions(result.network),
          target, prepared->units, design);
   design.trace = route.take_trace();

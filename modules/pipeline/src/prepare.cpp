@@ -1,29 +1,57 @@
 #include <algorithm>
 #include <sstream>
+#include <tencer/equilibrium/rigid_modes.hpp>
 #include <tencer/geometry/hull.hpp>
+#include <tencer/pipeline/convert.hpp>
 #include <tencer/pipeline/prepare.hpp>
 
-#include "units_sum.hpp"
+#include "frames.hpp"
+#include "rest_shape.hpp"
 
 namespace tencer::pipeline {
 namespace {
 
-Units units_of(const io::Scene& scene) {
-  UnitsSum sum;
-  for (const auto& rod : scene.rods)
-    sum.add(geometry::edge_lengths(rod.target).sum(), rod.section.EI.maxCoeff(), rod.target.points);
-  return sum.units();
+// The design file of the scene as far as it is known before there are cables.
+io::Design file_of(const io::Scene& scene) {
+  io::Design design;
+  design.name = scene.name;
+  design.length_unit = scene.length_unit;
+  design.force_unit = scene.force_unit;
+  design.planar = scene.planar;
+  design.anchors = scene.anchors;
+  design.pinned = scene.pinned;
+  design.point_loads = scene.point_loads;
+  design.line_loads = scene.line_loads;
+  for (const auto& from : scene.rods) {
+    der::Rod rod{.closed = from.target.closed, .section = {}};
+    rod.rest_lengths = geometry::edge_lengths(from.target);
+    set_rest_shape(from.rest, rod);
+    design.rods.push_back({.closed = rod.closed,
+                           .EA = from.section.EA,
+                           .EI = from.section.EI,
+                           .GJ = from.section.GJ,
+                           .rest_lengths = rod.rest_lengths,
+                           .target = from.target.points,
+                           .pose = from.target.points,
+                           .closing_angle = from.closing_angle,
+                           .rest_curvature = rod.rest_curvature,
+                           .rest_twist = rod.rest_twist});
+  }
+  return design;
 }
 
-der::Rod scaled_rod(const io::SceneRod& from, const core::Scale& scale) {
-  der::Rod rod;
-  rod.closed = from.target.closed;
-  rod.section = {.EA = from.section.EA / scale.force(),
-                 .EI1 = from.section.EI[0] / scale.bending(),
-                 .EI2 = from.section.EI[1] / scale.bending(),
-                 .GJ = from.section.GJ / scale.bending()};
-  rod.rest_lengths = geometry::edge_lengths(from.target) / scale.length;
-  return rod;
+// The rods at the target, with frames as the scene wants them and then as they settle.
+equilibrium::State start_of(const io::Scene& scene, const equilibrium::Structure& structure,
+                            const std::vector<Eigen::Matrix3Xd>& points) {
+  equilibrium::State state = make_state(structure, points);
+  for (std::size_t r = 0; r < state.size(); ++r) {
+    if (scene.rods[r].director)
+      turn_frames(state[r], *scene.rods[r].director);
+    else
+      turn_to_least_energy(structure.rods[r], state[r]);
+  }
+  settle_frames(structure, state);
+  return state;
 }
 
 sparsify::Rules scaled_rules(const io::Scene& scene, const equilibrium::Structure& structure,
@@ -55,16 +83,24 @@ std::vector<std::string> what_is_left_out(const equilibrium::Structure& structur
   };
   if (std::ranges::all_of(structure.rods, carries_no_twist))
     list.push_back("no twist: every rod is straight at rest, isotropic and free to spin");
+  else if (std::ranges::none_of(structure.rods, [](const der::Rod& rod) {
+             return der::twist_model(rod) == der::TwistModel::per_edge;
+           }))
+    list.push_back("no twist along the rods: it is the same all along each of them");
+  if (structure.line_loads.empty() && structure.point_loads.empty())
+    list.push_back("no loads: the scene has neither gravity nor point loads");
   if (structure.planar) list.push_back("no z: the scene is planar");
   if (!target.align) list.push_back("no registration: anchors or pins hold the structure in place");
   if (!rules.external) list.push_back("no external cables: the scene has no anchors");
   return list;
 }
 
-// Without pins, cables to anchors can only balance when these surround the target (paper section
-// 5.2).
+// Without pins and loads, cables to anchors can only balance when these surround the target (paper
+// section 5.2).
 std::optional<core::Error> check_anchors(const io::Scene& scene) {
-  if (scene.anchors.cols() == 0 || !scene.pinned.empty() || !scene.design.external) return {};
+  const bool loaded = !scene.point_loads.empty() || !scene.line_loads.empty();
+  if (scene.anchors.cols() == 0 || !scene.pinned.empty() || loaded || !scene.design.external)
+    return {};
   for (const auto& rod : scene.rods) {
     const auto outside = geometry::outside_hull(scene.anchors, rod.target.points, scene.planar);
     if (outside.point < 0) continue;
@@ -81,26 +117,38 @@ std::optional<core::Error> check_anchors(const io::Scene& scene) {
   return {};
 }
 
+// Loads on rods that no pin holds, however cables tie the rods together.
+std::optional<core::Error> check_loads(const io::Scene& scene, const Prepared& prepared) {
+  equilibrium::Structure tied = prepared.structure;
+  if ((tied.line_loads.empty() && tied.point_loads.empty()) || prepared.rules.external) return {};
+  for (int r = 1; r < static_cast<int>(tied.rods.size()); ++r)
+    tied.cables.push_back({.a = springs::OnRod{0, 0.0}, .b = springs::OnRod{r, 0.0}});
+  const equilibrium::System system(tied);
+  const auto modes = equilibrium::rigid_modes(system, make_state(tied, prepared.target.points));
+  if (equilibrium::holds_loads(system, modes)) return {};
+  return core::Error{scene.source,
+                     std::string(tied.line_loads.empty() ? "loads" : "gravity") +
+                         ": nothing holds the rods against it, so they have no equilibrium; pin "
+                         "vertices, or give anchors for cables"};
+}
+
 }  // namespace
 
 core::Expected<Prepared> prepare(const io::Scene& scene) {
   if (auto error = check_anchors(scene)) return *error;
-  Prepared prepared{.units = units_of(scene)};
-  const Units& units = prepared.units;
-  equilibrium::Structure& structure = prepared.structure;
-  for (const auto& rod : scene.rods) {
-    structure.rods.push_back(scaled_rod(rod, units.scale));
-    prepared.target.points.push_back(units.scaled(rod.target.points));
-    prepared.target.weights.push_back(rod.weights);
-  }
-  structure.anchors = units.scaled(scene.anchors);
-  for (const io::Pin& pin : scene.pinned)
-    structure.pins.push_back({.rod = pin.rod, .vertex = pin.vertex, .axes = pin.axes});
-  structure.planar = scene.planar;
-  prepared.rules = scaled_rules(scene, structure, units.scale);
-  prepared.target.align = structure.pins.empty() && !prepared.rules.external;
+  Prepared prepared{.file = file_of(scene)};
+  prepared.units = units_of(prepared.file);
+  prepared.structure = structure_of(prepared.file, Cables::inextensible, prepared.units);
+  prepared.target.points = scaled_targets(prepared.file, prepared.units);
+  for (const auto& rod : scene.rods) prepared.target.weights.push_back(rod.weights);
+  prepared.rules = scaled_rules(scene, prepared.structure, prepared.units.scale);
+  prepared.target.align = scene.pinned.empty() && !prepared.rules.external;
   prepared.target.planar = scene.planar;
-  prepared.left_out = what_is_left_out(structure, prepared.target, prepared.rules);
+  if (auto error = check_loads(scene, prepared)) return *error;
+  prepared.start = start_of(scene, prepared.structure, prepared.target.points);
+  for (std::size_t r = 0; r < prepared.start.size(); ++r)
+    prepared.file.rods[r].target_directors = directors(prepared.start[r]);
+  prepared.left_out = what_is_left_out(prepared.structure, prepared.target, prepared.rules);
   return prepared;
 }
 

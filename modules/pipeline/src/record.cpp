@@ -4,6 +4,8 @@
 #include <span>
 #include <utility>
 
+#include "frames.hpp"
+
 namespace tencer::pipeline {
 
 sensitivity::Target target_of(const equilibrium::Structure& structure,
@@ -19,8 +21,10 @@ void record(const equilibrium::Structure& structure, const equilibrium::State& s
             io::Design& design) {
   const auto deviation = sensitivity::deviation(target, state);
   const Eigen::Matrix3d back = deviation.motion.rotation.transpose();
-  for (auto&& [rod, rod_state] : ranges::views::zip(design.rods, state))
+  for (auto&& [rod, rod_state] : ranges::views::zip(design.rods, state)) {
     rod.pose = units.unscaled(back * (rod_state.x.colwise() - deviation.motion.translation));
+    rod.pose_directors = back * directors(rod_state);
+  }
 
   const equilibrium::Certificate certificate = equilibrium::certify(structure, state, tensions);
   const equilibrium::System system(structure);

@@ -13,8 +13,8 @@ sensitivity::Target target_of(const equilibrium::Structure& structure,
                               std::vector<Eigen::Matrix3Xd> points,
                               std::vector<Eigen::VectorXd> weights = {});
 
-// Sets poses (moved onto the target when that is aligned), lengths and tensions of the cables,
-// error and certificate. design.cables has the structure's cables in the same order.
+// Sets poses and their directors (moved onto the target when that is aligned), lengths and tensions
+// of the cables, error and certificate. design.cables has the structure's cables in the same order.
 void record(const equilibrium::Structure& structure, const equilibrium::State& state,
             const Eigen::VectorXd& tensions, const sensitivity::Target& target, const Units& units,
             io::Design& design);

@@ -37,8 +37,8 @@ core::Expected<Simulation> simulate(const io::Design& design, const SimulateOpti
   const equilibrium::Structure structure = structure_of(design, options.cables, units);
   const auto target = target_of(structure, scaled_targets(design, units));
   const auto poses = scaled_poses(design, units);
-  equilibrium::State start =
-      make_state(structure, options.start == Start::pose ? poses : target.points);
+  equilibrium::State start = options.start == Start::pose ? pose_state(design, structure, units)
+                                                          : target_state(design, structure, units);
 
   const equilibrium::System cables(structure);
   for (std::size_t c = 0; c < structure.cables.size(); ++c)

@@ -12,8 +12,8 @@ namespace tencer::pipeline {
 // How the cables of a design file are taken.
 enum class Cables { springs, inextensible };
 
-// Scaled rods with their section, cables and supports. Springs need a stiffness and rest length in
-// the file; inextensible cables have their length as rest_length.
+// Scaled rods with their section and rest shape, cables, supports and loads. Springs need a
+// stiffness and rest length in the file; inextensible cables have their length as rest_length.
 equilibrium::Structure structure_of(const io::Design& design, Cables cables, const Units& units);
 
 // The units in which a design is solved.
@@ -22,6 +22,13 @@ Units units_of(const io::Design& design);
 // Scaled points of every rod.
 std::vector<Eigen::Matrix3Xd> scaled_targets(const io::Design& design, const Units& units);
 std::vector<Eigen::Matrix3Xd> scaled_poses(const io::Design& design, const Units& units);
+
+// The rods at the file's target, and moved on from there to its pose. Material frames are the
+// file's; where it has none at the target, those that cost least there.
+equilibrium::State target_state(const io::Design& design, const equilibrium::Structure& structure,
+                                const Units& units);
+equilibrium::State pose_state(const io::Design& design, const equilibrium::Structure& structure,
+                              const Units& units);
 
 // A cable end as the file has it: s wrapped into [0, L] of its rod, in the user's units.
 io::CableEnd file_end(const springs::End& end, const equilibrium::Structure& structure,

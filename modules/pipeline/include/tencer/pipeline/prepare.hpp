@@ -7,6 +7,7 @@
 #include <tencer/core/error.hpp>
 #include <tencer/core/scale.hpp>
 #include <tencer/equilibrium/structure.hpp>
+#include <tencer/io/design.hpp>
 #include <tencer/io/scene.hpp>
 #include <tencer/sensitivity/target.hpp>
 #include <tencer/sparsify/rules.hpp>
@@ -29,15 +30,20 @@ struct Units {
 };
 
 struct Prepared {
+  io::Design file{};                   // the design file but for cables, the pose the target
   equilibrium::Structure structure{};  // scaled, without cables
-  sensitivity::Target target{};        // scaled; its points are also where the rods start
+  sensitivity::Target target{};        // scaled
   sparsify::Rules rules{};             // scaled
   Units units{};
+  // The rods at the target, where they start: with material frames that carry no moments which
+  // cables would have to balance.
+  equilibrium::State start{};
   std::vector<std::string> left_out{};  // what this scene does not need, a sentence each
 };
 
 // Errors name the scene's file or the curve a rod came from: a rod whose vertices meet, an anchor
-// on a rod.
+// on a rod,
+// loads that nothing holds.
 core::Expected<Prepared> prepare(const io::Scene& scene);
 
 }  // namespace tencer::pipeline
