@@ -14,6 +14,7 @@ namespace {
 
 constexpr const char* examples = R"(Examples:
   tencer target trefoil-hypotrochoid -o trefoil.obj
+  tencer target knot-5_2 --vertices 200 -o knot.obj
   tencer target torus-knot --p 5 --q 3 --vertices 201 -o knot.obj
   tencer target random-knot --cables 12 --seed 7 > knot.obj)";
 

@@ -3,7 +3,7 @@ cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/run_tencer.cmake)
 
 foreach(family circle ellipse helix torus-knot trefoil-hypotrochoid trefoil-2-3 trefoil-3-2
-    twin-trefoils borromean-ellipses random-knot)
+    twin-trefoils borromean-ellipses knot-3_1 knot-7_7 random-knot)
   run_tencer(target ${family} --vertices 40)
   expect_status(0)
   set(printed "${out}")

@@ -1,13 +1,20 @@
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <tencer/core/error.hpp>
 #include <tencer/geometry/curves.hpp>
 #include <tencer/geometry/families.hpp>
+#include <tencer/geometry/knots.hpp>
 
 namespace tencer::geometry {
+namespace {
+
+constexpr std::string_view knot_prefix = "knot-";
+
+}  // namespace
 
 std::vector<Family> families() {
-  return {
+  std::vector<Family> list{
       {"circle", "a circle", 100, {{"radius", 25, false, "radius"}}},
       {"ellipse",
        "an ellipse",
@@ -49,6 +56,12 @@ std::vector<Family> families() {
        {{"long_axis", 6.5, false, "longer semi-axis"},
         {"short_axis", 5, false, "shorter semi-axis"}}},
   };
+  for (const KnotBraid& braid : knot_table())
+    list.push_back({std::string(knot_prefix) + std::string(braid.name),
+                    "the knot " + std::string(braid.name) + ", smooth and roomy (figure 16)",
+                    200,
+                    {{"length", 300, false, "arc length"}}});
+  return list;
 }
 
 std::optional<std::string> family_problem(const Family& family, std::span<const double> values,
@@ -89,8 +102,13 @@ std::vector<Polyline> family_curves(const Family& family, std::span<const double
   if (is("trefoil-2-3")) return {trefoil(TrefoilForm::torus_2_3, values[0], vertices)};
   if (is("trefoil-3-2")) return {trefoil(TrefoilForm::torus_3_2, values[0], vertices)};
   if (is("twin-trefoils")) return twin_trefoils(values[0], values[1], vertices);
-  core::require(is("borromean-ellipses"), "family_curves: not a family of families()");
-  return borromean_ellipses(values[0], values[1], vertices);
+  if (is("borromean-ellipses")) return borromean_ellipses(values[0], values[1], vertices);
+  const std::vector<KnotBraid> knots = knot_table();
+  const auto braid = std::ranges::find_if(knots, [&](const KnotBraid& knot) {
+    return family.name == std::string(knot_prefix) + std::string(knot.name);
+  });
+  core::require(braid != knots.end(), "family_curves: not a family of families()");
+  return {knot(*braid, values[0], vertices)};
 }
 
 }  // namespace tencer::geometry

@@ -19,8 +19,8 @@ struct FamilyParameter {
 
 // Every parameter is a positive number.
 struct Family {
-  std::string_view name;
-  std::string_view meaning;
+  std::string name;
+  std::string meaning;
   int vertices = 0;  // of each rod, when none is given
   std::vector<FamilyParameter> parameters;
 };

@@ -1,0 +1,30 @@
+// Roomy embeddings: a closed curve pushes itself apart until it is smooth and keeps clear of
+// itself, and stays the same knot on the way.
+#pragma once
+
+#include <tencer/geometry/polyline.hpp>
+
+namespace tencer::geometry {
+
+struct RepelOptions {
+  int iterations = 2000;
+  // Ends when the energy falls by less than this part in `patience` steps.
+  double least_decrease = 1e-5;
+  int patience = 20;
+};
+
+struct Repelled {
+  Polyline curve{};  // length 1, evenly spaced, centred at the origin
+  double energy = 0.0;
+  int iterations = 0;
+  bool converged = false;  // false: the limit of iterations was met
+};
+
+// Descends the tangent-point energy of a closed curve of n >= 8 vertices, along quasi-Newton
+// directions in the fractional Sobolev metric of "Repulsive curves", which is diagonal in the
+// discrete Fourier basis of evenly spaced vertices. No step takes a vertex further than half the
+// least distance of two edges that do not meet, so strands never pass through each other. The
+// curve, resampled at n points, must not cross itself. Time: n^2 an iteration.
+Repelled repel(const Polyline& curve, const RepelOptions& options = {});
+
+}  // namespace tencer::geometry

@@ -1,0 +1,18 @@
+// Smooth curves through a few points.
+#pragma once
+
+#include <tencer/geometry/polyline.hpp>
+#include <tencer/geometry/sampling.hpp>
+
+namespace tencer::geometry {
+
+// The cubic spline through the vertices of a polyline, twice continuously differentiable: periodic
+// when the polyline is closed, otherwise with ends free of curvature. The parameter runs from 0 at
+// vertex 0 along the chords, over [0, length of the polyline]. Requires at least 3 (closed) or 2
+// vertices, and no two neighbours in the same place. Time grows with the cube of the vertices.
+Curve spline(const Polyline& through);
+
+// n points of the spline at equal arc length, the first at vertex 0.
+Polyline sample_spline(const Polyline& through, int n);
+
+}  // namespace tencer::geometry

@@ -1,0 +1,73 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <tencer/core/error.hpp>
+#include <tencer/geometry/tangent_point.hpp>
+
+namespace tencer::geometry {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+TangentPoint tangent_point_energy(const Polyline& curve) {
+  core::require(curve.closed && curve.vertices() >= 3,
+                "tangent_point_energy: needs a closed curve");
+  const int n = curve.vertices();
+  const Matrix3Xd edges = edge_vectors(curve);
+  const Eigen::VectorXd lengths = edges.colwise().norm().transpose();
+  const Matrix3Xd midpoints = curve.points + edges / 2;
+
+  double sum = 0;
+  Matrix3Xd by_edge = Matrix3Xd::Zero(3, n);
+  Matrix3Xd by_midpoint = Matrix3Xd::Zero(3, n);
+  Eigen::VectorXd by_length = Eigen::VectorXd::Zero(n);
+  for (int i = 0; i < n; ++i) {
+    const Vector3d edge = edges.col(i);
+    for (int j = 0; j < n; ++j) {
+      if (i == j) continue;
+      // term = |edge x d|^3 l_i^-2 l_j |d|^-6
+      const Vector3d d = midpoints.col(i) - midpoints.col(j);
+      const Vector3d across = edge.cross(d);
+      const double squared = d.squaredNorm();
+      const double factor =
+          across.norm() * lengths[j] / (lengths[i] * lengths[i] * squared * squared * squared);
+      const double term = across.squaredNorm() * factor;
+      sum += term;
+      const Vector3d by_across = 3 * factor * across;
+      const Vector3d by_d = by_across.cross(edge) - 6 * term / squared * d;
+      by_edge.col(i) += d.cross(by_across);
+      by_midpoint.col(i) += by_d;
+      by_midpoint.col(j) -= by_d;
+      by_length[i] -= 2 * term / lengths[i];
+      by_length[j] += term / lengths[j];
+    }
+  }
+  const double total = lengths.sum();
+  TangentPoint result{total * sum, Matrix3Xd::Zero(3, n)};
+  for (int i = 0; i < n; ++i) {
+    const Vector3d along =
+        total * by_edge.col(i) + (total * by_length[i] + sum) / lengths[i] * edges.col(i);
+    result.gradient.col(i) += total * by_midpoint.col(i) / 2 - along;
+    result.gradient.col((i + 1) % n) += total * by_midpoint.col(i) / 2 + along;
+  }
+  return result;
+}
+
+double thickness(const Polyline& curve) {
+  core::require(curve.closed && curve.vertices() >= 3, "thickness: needs a closed curve");
+  const Matrix3Xd edges = edge_vectors(curve);
+  const Matrix3Xd midpoints = curve.points + edges / 2;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < curve.vertices(); ++i) {
+    const Vector3d tangent = edges.col(i).normalized();
+    for (int j = 0; j < curve.vertices(); ++j) {
+      if (i == j) continue;
+      const Vector3d d = midpoints.col(i) - midpoints.col(j);
+      const double across = tangent.cross(d).norm();
+      if (across > 0) least = std::min(least, d.squaredNorm() / (2 * across));
+    }
+  }
+  return least;
+}
+
+}  // namespace tencer::geometry
