@@ -14,15 +14,18 @@ namespace {
 constexpr const char* examples = R"(Examples:
   tencer simulate knot/design.json                            from the pose, inextensible cables
   tencer simulate knot/design.json --from target --cables springs -o settled
+  tencer simulate knot/design.json --refine 4 -o fine         with rods of four times the vertices
 
 Inextensible cables have the design's lengths and go slack rather than push. Springs use each cable's
-stiffness and rest_length. Without -o nothing is written.)";
+stiffness and rest_length. Without -o nothing is written. --refine divides every edge and tells how
+far the vertices of the file move: what its number of vertices does to the pose.)";
 
 struct SimulateRequest {
   std::filesystem::path input;
   std::filesystem::path output;
   std::string from = "pose";
   std::string cables = "inextensible";
+  int refine = pipeline::SimulateOptions{}.refine;
   double tolerance = equilibrium::SolveOptions{}.tolerance;
 };
 
@@ -36,6 +39,7 @@ core::Expected<ExitCode> run_simulate(const SimulateRequest& request) {
       *design, {.start = request.from == "target" ? pipeline::Start::target : pipeline::Start::pose,
                 .cables = request.cables == "springs" ? pipeline::Cables::springs
                                                       : pipeline::Cables::inextensible,
+                .refine = request.refine,
                 .solve = {.tolerance = request.tolerance, .stop = interrupt.token()}});
   if (!result) return core::Error{request.input.string(), result.error().text()};
   if (!request.output.empty())
@@ -44,8 +48,9 @@ core::Expected<ExitCode> run_simulate(const SimulateRequest& request) {
             << result->factorisations << " factorisations, " << result->unknowns << " unknowns, "
             << result->seconds * 1e3 << " ms, residual " << result->residual << '\n'
             << "largest motion from the file's pose " << result->moved_percent
-            << " % of the target's size\n"
-            << summary(result->design);
+            << " % of the target's size";
+  if (request.refine > 1) std::cout << ", with " << request.refine << " edges for each";
+  std::cout << '\n' << summary(result->design);
   return result->usable() ? ExitCode::ok : ExitCode::tolerance_not_reached;
 }
 
@@ -61,6 +66,9 @@ void add_simulate(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command->add_option("--cables", request->cables, "What the cables are")
       ->check(CLI::IsMember({"springs", "inextensible"}))
+      ->capture_default_str();
+  command->add_option("--refine", request->refine, "Edges into which every edge is divided")
+      ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->add_option("--tolerance", request->tolerance, "Of forces, relative to the rods' own")
       ->check(positive_number())

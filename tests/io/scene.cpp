@@ -294,6 +294,9 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
        "s.toml:3: rod[0].rest: the curve at rest is 6.282151815625657 long and the target 16; they "
        "must agree "
        "to 1 %"},
+      {ring + "rest = {curvature = -1}\n",
+       "s.toml:3: rod[0].rest: with this curvature the rod bends by 4 radians from one vertex to "
+       "the next; use more vertices, so that it is at most 1"},
       {ring + "section = {EA = 1, EI = [1, 2], GJ = 1}\nrest = {curve = 'both.obj', index = 0}\n",
        "s.toml:4: rod[0].rest: needs director = [x, y, z], the direction of the section's first "
        "axis at the start of the curve"},

@@ -90,11 +90,20 @@ RestShape read_rest(const TomlTable& rest, const std::filesystem::path& folder) 
   rest.only({"curve", "index", "family", "parameters", "vertices", "director", "curvature"});
   std::vector<Polyline> curves = curves_of(rest, folder);
   if (curves.size() != 1)
-    fail(rest.where(),
-         "rest names " + std::to_string(curves.size()) + " curves; say which with index = 0, 1, ...");
+    fail(rest.where(), "rest names " + std::to_string(curves.size()) +
+                           " curves; say which with index = 0, 1, ...");
   shape.curve = std::move(curves[0]);
   if (rest.has("director")) shape.director = direction(rest, "director");
   return shape;
+}
+
+// Between one vertex and the next a rod bends by an angle, not by turns.
+void check_rest_curvature(const TomlTable& table, const SceneRod& rod) {
+  const double bend = std::abs(rod.rest.curvature) * geometry::edge_lengths(rod.target).maxCoeff();
+  if (bend > 1)
+    table.fail("rest", "with this curvature the rod bends by " + to_text(bend) +
+                           " radians from one vertex to the next; use more vertices, so that it "
+                           "is at most 1");
 }
 
 // What a rest curve must have in common with the target.
@@ -136,6 +145,7 @@ std::vector<ListedRod> read_rod(const TomlTable& table, const std::filesystem::p
     if (const auto rest = table.table("rest")) {
       rod.rest = read_rest(*rest, folder);
       if (rod.rest.curve) check_rest_curve(table, rod);
+      check_rest_curvature(table, rod);
     }
     if (const auto turns = table.number("closing_turns")) {
       if (!rod.target.closed) table.fail("closing_turns", "belongs to closed rods");

@@ -1,5 +1,7 @@
 #include <chrono>
 #include <tencer/equilibrium/built.hpp>
+#include <tencer/geometry/measure.hpp>
+#include <tencer/pipeline/refine.hpp>
 #include <tencer/pipeline/simulate.hpp>
 #include <utility>
 
@@ -10,22 +12,26 @@ namespace {
 
 constexpr double meeting = 1e-12;  // relative to the rods' total length
 
-// Largest distance between two states in % of the target's diagonal, aligned as the target is.
+// Largest distance of every `stride`-th vertex from `from` in % of the target's diagonal, aligned
+// as the target is.
 double moved_percent(const sensitivity::Target& target, std::vector<Eigen::Matrix3Xd> from,
-                     const equilibrium::State& to) {
+                     const equilibrium::State& to, int stride) {
+  std::vector<geometry::Polyline> curves;
+  for (const auto& points : target.points) curves.push_back({.points = points});
   sensitivity::Target other = target;
-  const double diagonal_of_target =
-      sensitivity::deviation(target, to).max_percent > 0
-          ? sensitivity::deviation(target, to).max / sensitivity::deviation(target, to).max_percent
-          : 0;
+  other.weights.clear();
+  for (const auto& points : from) {
+    auto& weights = other.weights.emplace_back(Eigen::VectorXd::Zero(points.cols()));
+    for (Eigen::Index i = 0; i < points.cols(); i += stride) weights[i] = 1;
+  }
   other.points = std::move(from);
-  const double moved = sensitivity::deviation(other, to).max;
-  return diagonal_of_target > 0 ? moved / diagonal_of_target : 0;
+  return 100 * sensitivity::deviation(other, to).max / geometry::bounding_box_diagonal(curves);
 }
 
 }  // namespace
 
-core::Expected<Simulation> simulate(const io::Design& design, const SimulateOptions& options) {
+core::Expected<Simulation> simulate(const io::Design& given, const SimulateOptions& options) {
+  const io::Design design = refined(given, options.refine);
   if (options.cables == Cables::springs)
     for (std::size_t c = 0; c < design.cables.size(); ++c)
       if (!design.cables[c].stiffness || !design.cables[c].rest_length)
@@ -66,7 +72,7 @@ core::Expected<Simulation> simulate(const io::Design& design, const SimulateOpti
   simulation.iterations = found.iterations;
   simulation.factorisations = found.factorisations;
   simulation.residual = found.residual;
-  simulation.moved_percent = moved_percent(target, poses, found.state);
+  simulation.moved_percent = moved_percent(target, poses, found.state, options.refine);
   record(structure, found.state, tensions, target, units, simulation.design);
   if (!simulation.usable())
     simulation.design.status = found.reason == equilibrium::Reason::stopped

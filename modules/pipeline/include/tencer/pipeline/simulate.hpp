@@ -15,12 +15,13 @@ enum class Start { target, pose };
 struct SimulateOptions {
   Start start = Start::pose;
   Cables cables = Cables::inextensible;
+  int refine = 1;  // edges into which every edge is divided first, see refined()
   equilibrium::SolveOptions solve{};
 };
 
 struct Simulation {
-  // The input with the pose, tensions, error and certificate found; its status tells when the state
-  // is not usable.
+  // The input, refined as asked, with the pose, tensions, error and certificate found; its status
+  // tells when the state is not usable.
   io::Design design{};
   equilibrium::Reason reason = equilibrium::Reason::iteration_limit;
   int unknowns = 0;
@@ -28,8 +29,8 @@ struct Simulation {
   int factorisations = 0;
   double seconds = 0.0;
   double residual = 0.0;
-  // Largest distance of a vertex to the input's pose, in % of the target's bounding-box diagonal,
-  // rigidly aligned unless the structure is held in place.
+  // Largest distance of the input's vertices to where they were in its pose, in % of the target's
+  // bounding-box diagonal, rigidly aligned unless the structure is held in place.
   double moved_percent = 0.0;
 
   bool usable() const {
