@@ -37,6 +37,44 @@ struct Curves : Folder {
 
 }  // namespace
 
+TEST_CASE("a rod drawn with a few points") {
+  const Curves folder;
+  const Scene scene = folder.scene(R"(
+[[rod]]
+spline = [[0, 0, 0], [10, 5, 0], [20, 0, 5]]
+[[rod]]
+spline = [[0, 20, 0], [10, 25, 0], [20, 20, 5], [0, 20, 0]]
+vertices = 60
+closed = true
+)");
+  REQUIRE(scene.rods.size() == 2);
+  const geometry::Polyline& open = scene.rods[0].target;
+  CHECK_FALSE(open.closed);
+  REQUIRE(open.vertices() == 100);
+  CHECK(open.points.col(0) == Eigen::Vector3d(0, 0, 0));
+  CHECK((open.points.col(99) - Eigen::Vector3d(20, 0, 5)).norm() < 1e-9);
+  // Halfway point of the drawing lies on the curve, between vertices.
+  CHECK((open.points.colwise() - Eigen::Vector3d(10, 5, 0)).colwise().norm().minCoeff() < 0.15);
+  CHECK(scene.rods[1].target.closed);
+  CHECK(scene.rods[1].target.vertices() == 60);
+}
+
+TEST_CASE("a frame's corners are anchors about all rods") {
+  const Curves folder;
+  const std::string two = "[[rod]]\ncurve = 'ring.obj'\n[[rod]]\ncurve = 'line.csv'\n";
+  const Scene cube = folder.scene("frame = {shape = 'cube', margin = 2}\n" + two);
+  REQUIRE(cube.anchors.cols() == 8);
+  // Rods reach from 0 to 11 along x and from 0 to 4 along y, at z = 0.
+  CHECK(cube.anchors.rowwise().minCoeff() == Eigen::Vector3d(-2, -5.5, -7.5));
+  CHECK(cube.anchors.rowwise().maxCoeff() == Eigen::Vector3d(13, 9.5, 7.5));
+  CHECK(folder.scene("frame = {shape = 'tetrahedron'}\n" + two).anchors.cols() == 4);
+  const Scene square = folder.scene("planar = true\nframe = {shape = 'cube'}\n" + two);
+  REQUIRE(square.anchors.cols() == 4);
+  CHECK(square.anchors.row(2).isZero(0));
+  // The default margin is a tenth of the diagonal.
+  CHECK(square.anchors.row(0).minCoeff() == Approx(-0.1 * std::hypot(11, 4)));
+}
+
 TEST_CASE("a scene of one line has defaults for all else") {
   const Curves folder;
   const Scene scene = folder.scene("rod = [{curve = 'ring.obj'}]");
@@ -214,13 +252,16 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
       {"planar = 1\n" + ring, "s.toml:1: planar: expected true or false, found 1"},
       {"rod = 3", "s.toml:1: rod: expected an array of tables, found 3"},
       {"rod = [3]", "s.toml:1: rod[0]: expected a table, found 3"},
-      {"[[rod]]\n", "s.toml:1: a rod needs either curve = \"FILE\" or family = \"NAME\""},
+      {"[[rod]]\n",
+       "s.toml:1: a rod needs either curve = \"FILE\" or family = \"NAME\" or spline = [[x, y, z], "
+       "...]"},
       {ring + "family = 'circle'\n",
-       "s.toml:1: a rod needs either curve = \"FILE\" or family = \"NAME\""},
-      {ring + "parameters = {}\n", "s.toml:3: rod[0].parameters: belongs to family, not to curve"},
+       "s.toml:1: a rod needs either curve = \"FILE\" or family = \"NAME\" or spline = [[x, y, z], "
+       "...]"},
+      {ring + "parameters = {}\n", "s.toml:3: rod[0].parameters: belongs to family only"},
       {ring + "radius = 1\n",
        "s.toml:3: unknown key rod[0].radius; known here: curve, index, family, parameters, "
-       "vertices, closed, section, director, rest, closing_turns"},
+       "spline, vertices, closed, section, director, rest, closing_turns"},
       {"[[rod]]\ncurve = 'none.obj'\n", "s.toml:2: rod[0].curve: there is no file none.obj"},
       {"[[rod]]\ncurve = 'spoilt.obj'\n", "spoilt.obj:2: 'x' is not a number"},
       {ring + "index = 1\n", "s.toml:3: rod[0].index: there is no curve 1; use 0"},
@@ -240,7 +281,9 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
        "s.toml:3: rod[0].vertices: expected a whole number, found 10.5"},
       {"[[rod]]\nfamily = 'torusknot'\n",
        "s.toml:2: rod[0].family: expected one of circle, ellipse, helix, torus-knot, "
-       "trefoil-hypotrochoid, trefoil-2-3, trefoil-3-2, twin-trefoils, borromean-ellipses, found "
+       "trefoil-hypotrochoid, trefoil-2-3, trefoil-3-2, twin-trefoils, borromean-ellipses, "
+       "knot-3_1, knot-4_1, knot-5_1, knot-5_2, knot-6_1, knot-6_2, knot-6_3, knot-7_1, knot-7_2, "
+       "knot-7_3, knot-7_4, knot-7_5, knot-7_6, knot-7_7, found "
        "\"torusknot\""},
       {"[[rod]]\nfamily = 'torus-knot'\nparameters = {p = 4, q = 2}\n",
        "s.toml:3: rod[0].parameters: p and q must have no common divisor, or the curve is traced "
@@ -284,7 +327,24 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
       {line + "closing_turns = 1\n", "s.toml:3: rod[0].closing_turns: belongs to closed rods"},
       {ring + "rest = {curvature = 1, curve = 'both.obj'}\n",
        "s.toml:3: unknown key rod[0].rest.curve; known here: curvature"},
-      {ring + "rest = {}\n", "s.toml:3: a rod needs either curve = \"FILE\" or family = \"NAME\""},
+      {"[[rod]]\nspline = [[0, 0, 0]]\n", "s.toml:2: a curve needs at least 2 points, found 1"},
+      {"[[rod]]\nspline = [[0, 0, 0], [1, 0, 0], [1, 0, 0], [2, 0, 0]]\n",
+       "s.toml:2: zero-length edge: point 2 repeats point 1; remove one of them"},
+      {"[[rod]]\nspline = [[0, 0, 0], [1, 0, 0]]\nindex = 0\n",
+       "s.toml:3: rod[0].index: belongs to curve or family; a spline is one curve"},
+      {"[[rod]]\nspline = [[0, 0, 0], [1, 0, 0]]\nfamily = 'circle'\n",
+       "s.toml:1: a rod needs either curve = \"FILE\" or family = \"NAME\" or spline = [[x, y, z], "
+       "...]"},
+      {"frame = {shape = 'ball'}\n" + ring,
+       "s.toml:1: frame.shape: expected one of cube, tetrahedron, found \"ball\""},
+      {"frame = {margin = 1}\n" + ring, "s.toml:1: the key frame.shape is missing"},
+      {"frame = {shape = 'cube', margin = 0}\n" + ring,
+       "s.toml:1: frame.margin: expected a positive number, found 0"},
+      {"anchors = [[0, 0, 0]]\nframe = {shape = 'cube'}\n" + ring,
+       "s.toml:2: frame: its corners are the anchors; give either frame or anchors"},
+      {ring + "rest = {}\n",
+       "s.toml:3: a rod needs either curve = \"FILE\" or family = \"NAME\" or spline = [[x, y, z], "
+       "...]"},
       {ring + "rest = {curve = 'both.obj'}\n",
        "s.toml:3: rest names 2 curves; say which with index = 0, 1, ..."},
       {ring + "rest = {curve = 'both.obj', index = 1}\n",
@@ -364,8 +424,7 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
        "name a pair of rods, such as [0, 0] for cables within rod 0"},
       {design + "external = true\n",
        "s.toml:4: design.external: is true, but the scene has no anchors; add anchors = [[x, y, "
-       "z], "
-       "...]"},
+       "z], ...] or frame = {shape = \"cube\"}"},
       {design + "longest_cable = 0\n",
        "s.toml:4: design.longest_cable: expected a positive number, found 0"},
       {design + "sparsity_weights = [0, 10, 1]\n",

@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <tencer/geometry/frame.hpp>
+#include <tencer/geometry/measure.hpp>
 #include <tencer/geometry/sampling.hpp>
 #include <tencer/io/curve.hpp>
 #include <tencer/io/file.hpp>
@@ -162,15 +165,40 @@ void read_design(const TomlTable& design, Scene& scene) {
   settings.external = design.boolean("external").value_or(settings.external);
   if (design.has("external") && settings.external && scene.anchors.cols() == 0)
     design.fail("external",
-                "is true, but the scene has no anchors; add anchors = [[x, y, z], ...]");
+                "is true, but the scene has no anchors; add anchors = [[x, y, z], ...] or "
+                "frame = {shape = \"cube\"}");
   read_rod_pairs(design, scene);
   read_weights(design, scene);
   read_forbidden(design, scene);
 }
 
+// The corners of a frame about all targets.
+Eigen::Matrix3Xd frame_anchors(const TomlTable& frame, const Scene& scene) {
+  frame.only({"shape", "margin"});
+  const std::string shape = frame.need(
+      "shape", frame.one_of("shape", std::array<std::string_view, 2>{"cube", "tetrahedron"}));
+  std::vector<Polyline> targets;
+  Eigen::Index vertices = 0;
+  for (const SceneRod& rod : scene.rods) {
+    targets.push_back(rod.target);
+    vertices += rod.target.points.cols();
+  }
+  Eigen::Matrix3Xd points(3, vertices);
+  for (Eigen::Index at = 0; const Polyline& target : targets) {
+    points.middleCols(at, target.points.cols()) = target.points;
+    at += target.points.cols();
+  }
+  constexpr double standard_margin = 0.1;  // of the bounding-box diagonal
+  const double margin =
+      frame.positive("margin").value_or(standard_margin * geometry::bounding_box_diagonal(targets));
+  return geometry::enclosing_frame(
+      shape == "cube" ? geometry::FrameShape::cube : geometry::FrameShape::tetrahedron, points,
+      margin, scene.planar);
+}
+
 Scene parse_scene(const TomlTable& root, const std::filesystem::path& path) {
-  root.only({"name", "length_unit", "force_unit", "planar", "anchors", "pinned", "gravity", "loads",
-             "rod", "design"});
+  root.only({"name", "length_unit", "force_unit", "planar", "anchors", "frame", "pinned", "gravity",
+             "loads", "rod", "design"});
   Scene scene;
   scene.name = root.text("name").value_or(path.stem().string());
   scene.source = path.string();
@@ -180,6 +208,11 @@ Scene parse_scene(const TomlTable& root, const std::filesystem::path& path) {
   scene.anchors = root.points("anchors").value_or(scene.anchors);
   read_rods(root, path.parent_path(), root.point("gravity").value_or(Eigen::Vector3d::Zero()),
             scene);
+  if (const auto frame = root.table("frame")) {
+    if (root.has("anchors"))
+      root.fail("frame", "its corners are the anchors; give either frame or anchors");
+    scene.anchors = frame_anchors(*frame, scene);
+  }
   for (const TomlTable& pin : root.tables("pinned")) scene.pinned.push_back(read_pin(pin, scene));
   for (const TomlTable& load : root.tables("loads"))
     scene.point_loads.push_back(read_load(load, scene));

@@ -5,10 +5,12 @@
 #include <numbers>
 #include <tencer/geometry/families.hpp>
 #include <tencer/geometry/sampling.hpp>
+#include <tencer/geometry/spline.hpp>
 #include <tencer/io/curve.hpp>
 #include <utility>
 
 #include "bad_input.hpp"
+#include "finish_curve.hpp"
 #include "scene_section.hpp"
 #include "scene_targets.hpp"
 #include "text.hpp"
@@ -56,15 +58,34 @@ std::vector<Polyline> file_targets(const TomlTable& rod, const std::filesystem::
   return curves;
 }
 
-// The curves that a table names by `curve` and `index` or by `family` and `parameters`.
+// A smooth curve through the points that are given.
+std::vector<Polyline> spline_targets(const TomlTable& rod) {
+  constexpr int standard_vertices = 100;
+  const std::string where = rod.where("spline");
+  ListedCurve listed;
+  listed.where = where;
+  listed.where_of = [&](int) { return where; };
+  listed.name_of = [](int i) { return "point " + std::to_string(i); };
+  const Eigen::Matrix3Xd points = *rod.points("spline");
+  for (const auto& point : points.colwise()) listed.points.emplace_back(point);
+  const int vertices = rod.integer("vertices", fewest_vertices).value_or(standard_vertices);
+  return {geometry::sample_spline(finish_curve(listed), vertices)};
+}
+
+// The curves that a table names by `curve` and `index`, by `family` and `parameters`, or by
+// `spline`.
 std::vector<Polyline> curves_of(const TomlTable& table, const std::filesystem::path& folder) {
-  if (table.has("curve") == table.has("family"))
-    fail(table.where(), "a rod needs either curve = \"FILE\" or family = \"NAME\"");
+  if (table.has("curve") + table.has("family") + table.has("spline") != 1)
+    fail(table.where(),
+         "a rod needs either curve = \"FILE\" or family = \"NAME\" or spline = [[x, y, z], ...]");
   if (table.has("parameters") && !table.has("family"))
-    table.fail("parameters", "belongs to family, not to curve");
+    table.fail("parameters", "belongs to family only");
+  if (table.has("index") && table.has("spline"))
+    table.fail("index", "belongs to curve or family; a spline is one curve");
   table.text("curve");
-  std::vector<Polyline> curves =
-      table.has("curve") ? file_targets(table, folder) : family_targets(table);
+  std::vector<Polyline> curves = table.has("curve")    ? file_targets(table, folder)
+                                 : table.has("family") ? family_targets(table)
+                                                       : spline_targets(table);
   if (const auto index = table.integer("index", 0)) {
     if (*index >= static_cast<int>(curves.size()))
       table.fail("index", "there is no curve " + std::to_string(*index) + "; " +
@@ -87,7 +108,8 @@ RestShape read_rest(const TomlTable& rest, const std::filesystem::path& folder) 
     shape.curvature = *rest.number("curvature");
     return shape;
   }
-  rest.only({"curve", "index", "family", "parameters", "vertices", "director", "curvature"});
+  rest.only(
+      {"curve", "index", "family", "parameters", "spline", "vertices", "director", "curvature"});
   std::vector<Polyline> curves = curves_of(rest, folder);
   if (curves.size() != 1)
     fail(rest.where(), "rest names " + std::to_string(curves.size()) +
@@ -126,8 +148,8 @@ struct ListedRod {
 };
 
 std::vector<ListedRod> read_rod(const TomlTable& table, const std::filesystem::path& folder) {
-  table.only({"curve", "index", "family", "parameters", "vertices", "closed", "section", "director",
-              "rest", "closing_turns"});
+  table.only({"curve", "index", "family", "parameters", "spline", "vertices", "closed", "section",
+              "director", "rest", "closing_turns"});
   std::vector<Polyline> curves = curves_of(table, folder);
   if (const auto closed = table.boolean("closed"))
     for (const Polyline& curve : curves)
