@@ -31,7 +31,9 @@ std::string summary(const io::Design& design) {
   for (const auto& cable : design.cables)
     if (cable.a.anchor >= 0 || cable.b.anchor >= 0) ++external;
   text << design.cables.size() << " cables";
-  if (external > 0) text << " (" << external << " to anchors)";
+  if (design.anchors.cols() > 0)
+    text << " (" << static_cast<int>(design.cables.size()) - external << " internal, " << external
+         << " external)";
   text << std::setprecision(3);
   if (design.error)
     text << ", max error " << design.error->max_percent << " %, rms " << design.error->rms_percent
