@@ -80,15 +80,13 @@ Misfit misfit(const Sampled& sampled, const Operation& operation) {
       worst = {relative, rod, anchor};
   };
   for (int r = 0; r < static_cast<int>(figure.rods.size()); ++r) {
-    const auto [image, rate, offset] = operation.rods[r];
-    const auto distance = [&](double s) {
+    const RodMap& map = operation.rods[r];
+    for (int i = 0; i < figure.curves[r].vertices(); ++i) {
       const Eigen::Vector3d moved =
-          operation.matrix * place(sampled, r, s).point + operation.translation;
-      return (moved - place(sampled, image, rate * s + offset).point).norm();
-    };
-    for (const double s : figure.rods[r].knots()) consider(distance(s), r, -1);
-    for (const double s : figure.rods[image].knots())
-      consider(distance((s - offset) / rate), r, -1);
+          operation.matrix * figure.curves[r].points.col(i) + operation.translation;
+      const double s = map.rate * figure.rods[r].knots()[i] + map.offset;
+      consider((moved - place(sampled, map.rod, s).point).norm(), r, -1);
+    }
   }
   for (Eigen::Index i = 0; i < figure.anchors.cols(); ++i) {
     const Eigen::Vector3d moved = operation.matrix * figure.anchors.col(i) + operation.translation;

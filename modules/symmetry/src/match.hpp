@@ -17,7 +17,7 @@ struct Misfit {
   int anchor = -1;
 };
 
-// Over the vertices of all rods and of their images, and the anchors.
+// Of the images of all vertices from the smooth curves they should lie on, and of the anchors.
 Misfit misfit(const Sampled& sampled, const Operation& operation);
 
 // The operation whose map of space is x -> matrix x + translation (in the centred figure): each rod
