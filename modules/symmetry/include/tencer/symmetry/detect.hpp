@@ -11,8 +11,9 @@
 namespace tencer::symmetry {
 
 // tolerance: the largest misfit, the distance between the image of a vertex or an anchor and the
-// place of the figure that it stands for, over the diagonal of the curves' bounding box. continuous_fold: a figure that turns
-// into itself by any angle (a circle of many vertices) is given this many rotations about its axis.
+// place of the figure that it stands for, over the diagonal of the curves' bounding box.
+// continuous_fold: a figure that turns into itself by any angle (a circle of many vertices) is
+// given this many rotations about its axis.
 struct Options {
   double tolerance = 1e-3;
   int max_order = 240;
