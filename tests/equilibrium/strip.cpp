@@ -72,3 +72,21 @@ TEST_CASE("a strip bent at rest springs back to its rest shape") {
     CHECK((result.state[0].x.col(gap) - result.state[0].x.col(0)).norm() ==
           Approx((helix.col(gap) - helix.col(0)).norm()).epsilon(1e-7));
 }
+
+TEST_CASE("a straight strip may turn about itself, and nothing else is singular") {
+  const int n = 80;
+  der::Rod rod{.section = {.EA = 1e5, .EI1 = 4.0, .EI2 = 1.0, .GJ = 1.5},
+               .rest_lengths = Eigen::VectorXd::Constant(n, 1.0 / n)};
+  equilibrium::Structure structure{.rods = {rod}};
+  if (GENERATE(false, true)) structure.pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = n}};
+  Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Zero(3, n + 1);
+  x.row(0).setLinSpaced(0, 1);
+  const auto result =
+      equilibrium::solve(equilibrium::System(structure), equilibrium::make_state(structure, {x}));
+  CHECK(result.usable());
+  const auto stability = equilibrium::stability(equilibrium::System(structure), result.state);
+  CHECK(stability.stable());
+  // Free: the free-free beam's mode about the soft axis, in units of the larger EI; pinned: pi^4.
+  const double expected = structure.pins.empty() ? 500.5639 / 4 : std::pow(pi, 4) / 4;
+  CHECK(stability.smallest_eigenvalue == Approx(expected).epsilon(0.01));
+}

@@ -51,9 +51,11 @@ class Spectrum {
       modes += mode.basis.cols();
     }
     const Eigen::MatrixXd weighted = root_mass_.asDiagonal() * rigid;
-    if (modes > 0)
-      rigid_ = Eigen::HouseholderQR<Eigen::MatrixXd>(weighted).householderQ() *
-               Eigen::MatrixXd::Identity(system.size(), modes);
+    if (modes == 0) return;
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(weighted);
+    qr.setThreshold(1e-9);
+    rigid_ = qr.householderQ() * Eigen::MatrixXd::Identity(system.size(), qr.rank());
+    spins_ = qr.rank() < modes;
   }
 
   Stability run() {
@@ -79,6 +81,11 @@ class Spectrum {
     } else {
       for (int i = 0; i < shifted.cols(); ++i)
         shifted.coeffRef(i, i) += shift * root_mass_[i] * root_mass_[i];
+      // Nothing that has mass feels where the angle is held, so this is exact.
+      if (spins_)
+        for (const auto& unknowns : system_.anchoring_unknowns())
+          for (const int i : unknowns)
+            if (root_mass_[i] == 0) shifted.coeffRef(i, i) *= 2;
     }
     if (!at_.factor.factorise(shifted)) return false;
     negative_ = at_.factor.inertia().negative - system_.saddle_unknowns();
@@ -131,6 +138,7 @@ class Spectrum {
   Eigen::MatrixXd constraints_;
   Eigen::VectorXd root_mass_;
   Eigen::MatrixXd rigid_;  // orthonormal, in mass-weighted coordinates
+  bool spins_ = false;     // a straight rod with frames may turn about itself, moving no mass
   Linearisation at_;
   Eigen::MatrixXd compliance_columns_;
   Eigen::MatrixXd stiffness_;  // pseudo-inverse of the cables' compliance

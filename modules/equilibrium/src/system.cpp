@@ -126,6 +126,10 @@ void System::lay_out() {
         if (position_index(rod, vertex, axis) >= 0)
           list.push_back(position_index(rod, vertex, axis));
     }
+    // A straight rod with frames turns about itself without moving a vertex.
+    if (der::twist_model(structure_.rods[rod]) == der::TwistModel::per_edge)
+      if (const int theta = index(rod, 3 * n + structure_.rods[rod].edges() / 2); theta >= 0)
+        list.push_back(theta);
   }
 
   std::vector<std::vector<int>> elements = rod_elements_;
