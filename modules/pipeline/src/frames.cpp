@@ -1,5 +1,6 @@
 #include "frames.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -36,6 +37,9 @@ void settle_frames(const equilibrium::Structure& structure, equilibrium::State& 
   for (std::size_t r = 0; r < state.size(); ++r) {
     if (state[r].theta.size() == 0) continue;
     equilibrium::Structure held{.rods = {structure.rods[r]}};
+    // Where no vertex moves stretching does nothing but add rounding.
+    der::Rod& rod = held.rods[0];
+    rod.section.EA = std::min(rod.section.EI1, rod.section.EI2) / (rod.length() * rod.length());
     for (int vertex = 0; vertex < structure.rods[r].vertices(); ++vertex)
       held.pins.push_back({.rod = 0, .vertex = vertex});
     state[r] = equilibrium::solve(equilibrium::System(held), {state[r]}).state[0];
