@@ -167,3 +167,17 @@ TEST_CASE("a folded vertex has infinite energy") {
   x << -1, 0, -1, 0, 0, 0, 0, 0, 0;
   CHECK(std::isinf(energy(rod, make_state(rod, x))));
 }
+
+TEST_CASE("the bending force on an edge is perpendicular to it also in a fold") {
+  // What is left along an edge would be a force that stretches it.
+  for (const double gap : {1e-2, 1e-5, 1e-8}) {
+    const Rod rod{.section = {.EA = 1e-12, .EI1 = 1, .EI2 = 1, .GJ = 1},
+                  .rest_lengths = Eigen::Vector2d(0.5, 0.5)};
+    Eigen::Matrix3Xd x(3, 3);
+    x << 0, gap / 4, gap / 2, 0, std::sqrt(0.25 - gap * gap / 16), 0, 0, 0, 0;
+    const Eigen::VectorXd g = gradient(rod, make_state(rod, x));
+    CAPTURE(gap);
+    const Eigen::Vector3d along = (x.col(1) - x.col(0)).normalized();
+    CHECK(std::abs(along.dot(g.head<3>())) < 4e-16 * g.head<3>().norm());
+  }
+}

@@ -56,10 +56,13 @@ BendGradient<T> bend_gradient(double EI, double v, const Vector3<T>& e, const Ve
   const T f_length = sqrt(f.squaredNorm());
   const Vector3<T> t = e / e_length;
   const Vector3<T> u = f / f_length;
-  const T fold = (t + u).squaredNorm() / 2.0;  // 1 + c
-  const T c = fold - 1.0;
+  const Vector3<T> sum = t + u;
+  const T fold = sum.squaredNorm() / 2.0;         // 1 + c
   const T slope = -4.0 * EI / v / (fold * fold);  // dE/dc
-  return {(u - t * c) * (slope / e_length), (t - u * c) * (slope / f_length)};
+  // dc/de = u - c t and dc/df = t - c u, over the lengths; taken from t + u they are perpendicular
+  // to t and u to all digits also in a fold, where what is left along an edge would be a force as
+  // large as the edge's own.
+  return {(sum - t * t.dot(sum)) * (slope / e_length), (sum - u * u.dot(sum)) * (slope / f_length)};
 }
 
 // d2E/d(e,f)2, 6 x 6.

@@ -3,6 +3,7 @@
 #include <tencer/core/error.hpp>
 #include <tencer/equilibrium/built.hpp>
 
+#include "balanced_stability.hpp"
 #include "forces.hpp"
 
 namespace tencer::equilibrium {
@@ -110,7 +111,10 @@ Certificate certify(const Structure& structure, const State& state,
   const System system(structure);
   const Eigen::VectorXd gradient = gradient_with(system, state, certificate.tensions);
   certificate.residual = relative_residual(system, gradient, system.rod_gradient(state));
-  certificate.stability = stability_inextensible(structure, state, certificate.tensions, taut);
+  const auto [stability, turn] =
+      balanced_stability(structure, state, certificate.tensions, taut, gradient);
+  certificate.stability = stability;
+  certificate.turn = turn;
   return certificate;
 }
 

@@ -6,8 +6,9 @@
 
 namespace tencer::equilibrium {
 
-// |gradient| / (|gradient of the rods alone| + max EI / L^2); rod_gradient is the system's, with
-// loads.
+// The largest over all rods of |gradient| / (|gradient of the rod alone| + EI / L^2), each over the
+// rod's own unknowns: a soft rod beside a stiff one has to be in balance by its own measure.
+// rod_gradient is the system's, with loads.
 double relative_residual(const System& system, const Eigen::VectorXd& gradient,
                          const Eigen::VectorXd& rod_gradient);
 
@@ -17,15 +18,27 @@ struct ForceBalance {
 };
 ForceBalance force_balance(const System& system, const State& state);
 
-// What rounding of the vertices' coordinates does to the gradient's norm: eps |x| EA / l per edge
-// and eps |x| k per cable.
-double gradient_rounding(const System& system, const State& state);
+// Whether, on every rod, the gradient is no larger than what rounding of the vertices' coordinates
+// does to it: eps |x| times EA / l per edge, 8 EI / l^3 per bend, k per cable.
+bool is_rounding(const System& system, const State& state, const Eigen::VectorXd& gradient);
 
-// The largest EI of all rods.
+// What the same rounding does to the energy: it moves edges and bends against the forces and
+// moments that they carry.
+double energy_rounding(const System& system, const State& state);
+
+// What rounding of the entries of H, of this diagonal, can do to d^T H d.
+double curvature_rounding(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& d);
+
+// The largest EI of all rods, and their length altogether.
 double largest_bending(const Structure& structure);
+double total_length(const Structure& structure);
 
-// EI / L^3, the order of the force per displacement of a vertex in the softest bending mode.
-double softest_stiffness(const Structure& structure);
+// Per free unknown, the order of its stiffness in the softest bending mode of its rod: EI / L^3 for
+// coordinates, EI / L for twist; 0 for twisting moments.
+Eigen::VectorXd softest_stiffness(const System& system);
+// Per free unknown, the order of the stiffness of an edge of its rod: for coordinates the geometric
+// mean of EA / l and EI / l^3, along and across; EI / l for twist; 0 for twisting moments.
+Eigen::VectorXd edge_stiffness(const System& system);
 
 // Largest change of an edge under a step, relative to its length.
 double largest_rotation(const System& system, const State& state, const Eigen::VectorXd& step);

@@ -4,6 +4,8 @@
 #include <tencer/der/energy.hpp>
 #include <tencer/equilibrium/rigid_modes.hpp>
 
+#include "forces.hpp"
+
 namespace tencer::equilibrium {
 namespace {
 
@@ -161,10 +163,13 @@ std::vector<RigidModes> rigid_modes(const System& system, const State& state) {
 
 void anchor(const System& system, const std::vector<RigidModes>& modes,
             linalg::SymmetricMatrix& matrix) {
-  const double mu = matrix.diagonal().cwiseAbs().mean();
-  for (std::size_t g = 0; g < modes.size(); ++g)
-    system.add_anchoring(static_cast<int>(g),
-                         mu * modes[g].anchoring * modes[g].anchoring.transpose(), matrix);
+  const Eigen::VectorXd root = edge_stiffness(system).cwiseSqrt();
+  for (std::size_t g = 0; g < modes.size(); ++g) {
+    if (modes[g].anchoring.cols() == 0) continue;
+    const Eigen::VectorXd scale = root(system.anchoring_unknowns()[g]);
+    const Eigen::MatrixXd scaled = scale.asDiagonal() * modes[g].anchoring;
+    system.add_anchoring(static_cast<int>(g), scaled * scaled.transpose(), matrix);
+  }
 }
 
 bool holds_loads(const System& system, const std::vector<RigidModes>& modes) {

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <tencer/equilibrium/solve.hpp>
 #include <utility>
 
@@ -27,6 +29,11 @@ void fill(const System& system, const State& state, const InternalForces& forces
   anchor(system, at.rigid, at.matrix);
 }
 
+void add_diagonal(const Eigen::VectorXd& values, linalg::SymmetricMatrix& matrix) {
+  for (Eigen::Index j = 0; j < values.size(); ++j)
+    matrix.valuePtr()[matrix.outerIndexPtr()[j]] += values[j];  // first of the lower column
+}
+
 class Newton {
  public:
   Newton(const System& system, const SolveOptions& options, Linearisation& at, Equilibrium& result)
@@ -38,7 +45,7 @@ class Newton {
   struct Point {
     State state;
     double energy = 0.0;
-    double residual = 0.0;
+    double residual = std::numeric_limits<double>::infinity();  // also where the energy is infinite
     Eigen::VectorXd gradient{};
     InternalForces forces{};  // for the geometric stiffness: predicted by the step that led here
   };
@@ -48,12 +55,19 @@ class Newton {
   void factorise_positive(const Point& at);
   bool line_search(const Point& from, const Eigen::VectorXd& step, double slope, Point& result);
   void polish(Point& point);
+  double curvature_along(const Eigen::VectorXd& motion) const {
+    return motion.dot(at_.matrix.selfadjointView<Eigen::Lower>() * motion);
+  }
+  bool is_isolated();
+  std::optional<Reason> conclude(const Point& point);
   bool escape(Point& point);
   void finish(Point&& point, Reason reason);
-  bool at_rounding(const Point& point) const {
-    return point.gradient.norm() <= gradient_rounding(system_, point.state);
+  bool balanced(const Point& point) const {
+    return point.residual <= options_.tolerance ||
+           is_rounding(system_, point.state, point.gradient);
   }
 
+  static constexpr double near = 1e-3;  // turns of edges that every further step should halve
   static constexpr double quick = 0.1;  // a residual that fell by this is converging
 
   const System& system_;
@@ -61,6 +75,7 @@ class Newton {
   Linearisation& at_;
   Equilibrium& result_;
   double shift_ = 0.0;
+  double last_turn_ = std::numeric_limits<double>::infinity();
 };
 
 Newton::Point Newton::evaluate(State state) {
@@ -81,27 +96,32 @@ Newton::Point Newton::step_from(const Point& from, const Eigen::VectorXd& step) 
 }
 
 // Factorises the Hessian, made positive definite: first by leaving out compression, which is what
-// makes it indefinite far from equilibrium, then by a shift.
+// makes it indefinite far from equilibrium, then by a shift in proportion to each rod's softest
+// stiffness.
 void Newton::factorise_positive(const Point& point) {
   constexpr double far = 0.5;  // residual above which predicted forces are not to be trusted
   at_.rigid = rigid_modes(system_, point.state);
-  const auto attempt = [&](double shift) {
-    check(system_, at_, at_.factor.factorise(at_.matrix, shift));
+  const auto attempt = [&] {
+    check(system_, at_, at_.factor.factorise(at_.matrix));
     ++result_.factorisations;
     return at_.regular && at_.negative == 0;
   };
   fill(system_, point.state, point.forces, at_);
-  if (shift_ == 0 && attempt(0)) return;
+  if (shift_ == 0 && attempt()) return;
   if (point.residual > far) {
     InternalForces pulling = point.forces;
     for (auto& axial : pulling.axial) axial = axial.cwiseMax(0);
     pulling.tension = pulling.tension.cwiseMax(0);
     fill(system_, point.state, pulling, at_);
-    if (shift_ == 0 && attempt(0)) return;
+    if (shift_ == 0 && attempt()) return;
   }
-  const double smallest = 0.1 * softest_stiffness(system_.structure());
+  const Eigen::VectorXd softest = softest_stiffness(system_);
+  constexpr double smallest = 0.1;
   double shift = std::max(shift_ / 30, smallest);
-  while (!attempt(shift) && std::isfinite(shift)) shift *= 10;
+  for (double added = 0; std::isfinite(shift); added = shift, shift *= 10) {
+    add_diagonal((shift - added) * softest, at_.matrix);
+    if (attempt()) break;
+  }
   shift_ = shift > smallest ? shift : 0;
 }
 
@@ -109,7 +129,7 @@ void Newton::factorise_positive(const Point& point) {
 // gains a digit.
 void Newton::polish(Point& point) {
   Eigen::VectorXd step;
-  while (point.residual > options_.tolerance && !at_rounding(point)) {
+  while (!balanced(point)) {
     at_.factor.solve(-point.gradient, step);
     Point next = step_from(point, step);
     if (!(next.residual < quick * point.residual)) return;
@@ -130,15 +150,66 @@ bool Newton::line_search(const Point& from, const Eigen::VectorXd& step, double 
   return false;
 }
 
+// Whether the softest motion, or the one that at_ says lowers the energy, has a stiffness of which
+// rounding leaves something.
+bool Newton::is_isolated() {
+  if (!at_.regular) return false;
+  Eigen::VectorXd motion;
+  if (at_.negative > 0) {
+    motion = at_.factor.negative_curvature();
+    return curvature_along(motion) < -curvature_rounding(at_.matrix.diagonal(), motion);
+  }
+  // A generic force moves the structure mostly along its softest motion. Twisting moments, which
+  // are no motions, get none.
+  Eigen::VectorXd force(system_.size());
+  for (int i = 0; i < force.size(); ++i) force[i] = std::sin(1.0 + i + 0.1 * i * i);
+  force = (softest_stiffness(system_).array() > 0).select(force, 0);
+  // None on twisting moments, which are stationary maxima.
+  force = (softest_stiffness(system_).array() > 0).select(force, 0.0);
+  remove_rigid(at_.rigid, force);
+  at_.factor.solve(force, motion);
+  remove_rigid(at_.rigid, motion);
+  return motion.isZero(0) || motion.dot(force) > curvature_rounding(at_.matrix.diagonal(), motion);
+}
+
+// At a state whose forces balance: why to end there; none when the Hessian is indefinite or the
+// Newton step, with at_, still leads on. Balanced forces alone do not mean that the shape is right:
+// rounding of forces along stiff edges may hide that little stiffness holds it elsewhere.
+std::optional<Reason> Newton::conclude(const Point& point) {
+  constexpr double settled = 1e-9;  // turns of edges
+  constexpr double rough = 1e-6;    // more than that is no answer
+  linearise(system_, point.state, at_);
+  ++result_.factorisations;
+  result_.negative = at_.negative;
+  if (!is_isolated()) return Reason::neutral;
+  if (at_.negative > 0) return std::nullopt;
+  Eigen::VectorXd step;
+  at_.factor.solve(-point.gradient, step);
+  const double turn = largest_rotation(system_, point.state, step);
+  const bool halts = turn < near && turn > last_turn_ / 2;
+  last_turn_ = turn;
+  if (turn > settled && !halts) return std::nullopt;
+  if (turn > rough) return Reason::uncertain;
+  return point.residual <= options_.tolerance ? Reason::converged : Reason::rounding;
+}
+
 // Leaves a saddle or maximum along a direction of negative curvature.
 bool Newton::escape(Point& point) {
   Eigen::VectorXd direction = at_.factor.negative_curvature();
+  double curvature = curvature_along(direction);
   remove_rigid(at_.rigid, direction);
   if (point.gradient.dot(direction) > 0) direction = -direction;
-  direction *= 0.1 / largest_rotation(system_, point.state, direction);
+  const double scale = 0.1 / largest_rotation(system_, point.state, direction);
+  direction *= scale;
+  curvature *= scale * scale;
+  const double rounding = energy_rounding(system_, point.state);
   for (double length = 1; length > 1e-12; length /= 2) {
     Point trial = evaluate(system_.displaced(point.state, length * direction));
-    if (trial.energy < point.energy) {
+    // Near the saddle the energy is lower by less than its rounding, while the force along the
+    // direction still tells.
+    if (!std::isfinite(trial.energy)) continue;
+    if (trial.energy < point.energy - rounding ||
+        trial.gradient.dot(direction) < curvature * length / 4) {
       point = std::move(trial);
       point.forces = system_.internal_forces(point.state);
       ++result_.escapes;
@@ -165,26 +236,23 @@ void Newton::run(State start) {
   Point reference;  // the last point that lowered the energy, and the step tried from there
   Eigen::VectorXd reference_step;
   double reference_slope = 0;
+  double rounding = 0;  // of its energy
   int waited = 0;
   for (;; ++result_.iterations) {
-    const bool converged = now.residual <= options_.tolerance;
-    if (converged || at_rounding(now)) {
-      linearise(system_, now.state, at_);
-      ++result_.factorisations;
-      result_.negative = at_.negative;
-      if (!at_.regular) return finish(std::move(now), Reason::neutral);
-      if (at_.negative == 0 || !escape(now))
-        return finish(std::move(now), at_.negative > 0 ? Reason::saddle
-                                      : converged      ? Reason::converged
-                                                       : Reason::rounding);
-      waited = 0;
-      continue;
+    const bool balance = balanced(now);
+    if (balance) {
+      if (const auto reason = conclude(now)) return finish(std::move(now), *reason);
+      if (at_.negative > 0) {
+        if (!escape(now)) return finish(std::move(now), Reason::saddle);
+        waited = 0;
+        continue;
+      }
     }
     if (options_.stop.stop_requested()) return finish(std::move(now), Reason::stopped);
     if (result_.iterations >= options_.max_iterations)
       return finish(std::move(now), Reason::iteration_limit);
 
-    factorise_positive(now);
+    if (!balance || last_turn_ > near) factorise_positive(now);
     Eigen::VectorXd step;
     at_.factor.solve(-now.gradient, step);
     const double slope = now.gradient.dot(step);
@@ -195,8 +263,8 @@ void Newton::run(State start) {
       reference = std::move(now);
       reference_step = std::move(step);
       reference_slope = slope;
+      rounding = energy_rounding(system_, reference.state);
     }
-    const double rounding = 10 * std::numeric_limits<double>::epsilon() * std::abs(next.energy);
     if (next.energy <= reference.energy + 1e-4 * reference_slope + rounding) {
       waited = 0;
       if (next.residual < quick * now_residual) polish(next);
@@ -247,7 +315,11 @@ std::string describe(Reason reason) {
     case Reason::saddle:
       return "stopped at an unstable equilibrium";
     case Reason::neutral:
-      return "stopped at an equilibrium that is not isolated: some motion costs nothing";
+      return "stopped at an equilibrium that is not isolated: some motion costs nothing, or too "
+             "little "
+             "to tell from rounding";
+    case Reason::uncertain:
+      return "forces balance as far as rounding allows, but it leaves the shape uncertain";
     case Reason::iteration_limit:
       return "the iteration limit was reached";
     case Reason::no_descent:

@@ -7,6 +7,7 @@
 #include <tencer/linalg/lowest_eigenpairs.hpp>
 #include <tencer/springs/law.hpp>
 
+#include "balanced_stability.hpp"
 #include "forces.hpp"
 
 namespace tencer::equilibrium {
@@ -58,6 +59,16 @@ class Spectrum {
     spins_ = qr.rank() < modes;
   }
 
+  // How far the Newton step that balances `gradient` turns an edge; after run() found no negative
+  // eigenvalue.
+  double turn(const State& state, const Eigen::VectorXd& gradient) const {
+    Eigen::VectorXd step = at_.factor.solve(gradient);
+    if (constraints_.cols() > 0)
+      step -= compliance_columns_ * (stiffness_ * (constraints_.transpose() * step));
+    remove_rigid(at_.rigid, step);
+    return largest_rotation(system_, state, step);
+  }
+
   Stability run() {
     Stability result;
     const int groups = groups_with_freedom(at_.rigid);
@@ -65,7 +76,9 @@ class Spectrum {
     double shift = 0;
     if (!factorise(0)) return result;
     result.negative = negative_;
-    for (shift = softest_stiffness(system_.structure()); negative_ > 0; shift *= 10)
+    const double length = total_length(system_.structure());
+    const double unit = largest_bending(system_.structure()) / (length * length * length * length);
+    for (shift = unit; negative_ > 0; shift *= 10)
       if (!factorise(shift) || !std::isfinite(shift)) return result;
     result.computed = lowest(result);
     return result;
@@ -87,6 +100,7 @@ class Spectrum {
           for (const int i : unknowns)
             if (root_mass_[i] == 0) shifted.coeffRef(i, i) *= 2;
     }
+    diagonal_ = shifted.diagonal();
     if (!at_.factor.factorise(shifted)) return false;
     negative_ = at_.factor.inertia().negative - system_.saddle_unknowns();
     if (constraints_.cols() == 0) return true;
@@ -100,8 +114,8 @@ class Spectrum {
     const Eigen::VectorXd inverses =
         (values.array().abs() > zero).select(values.cwiseInverse(), 0.0);
     negative_ -= static_cast<int>((values.array() < -zero).count());
-    stiffness_ = compliance.eigenvectors() * inverses.asDiagonal() *
-                 compliance.eigenvectors().transpose();
+    stiffness_ =
+        compliance.eigenvectors() * inverses.asDiagonal() * compliance.eigenvectors().transpose();
     return true;
   }
 
@@ -122,15 +136,15 @@ class Spectrum {
     };
     const auto pairs = linalg::lowest_eigenpairs(inverse, n, 1);
     if (!pairs.converged || !std::isfinite(pairs.values[0])) return false;
-    const Structure& structure = system_.structure();
-    double length = 0;
-    for (const auto& rod : structure.rods) length += rod.length();
-    result.smallest_eigenvalue =
-        (pairs.values[0] - shift_) * length * length * length * length / largest_bending(structure);
     result.mode = pairs.vectors.col(0);
     for (int i = 0; i < n; ++i)
       result.mode[i] = root_mass_[i] > 0 ? result.mode[i] / root_mass_[i] : 0;
     result.mode /= result.mode.cwiseAbs().maxCoeff();
+    const double length = total_length(system_.structure());
+    const double unit = largest_bending(system_.structure()) / (length * length * length * length);
+    result.smallest_eigenvalue = (pairs.values[0] - shift_) / unit;
+    const double mass = root_mass_.cwiseProduct(result.mode).squaredNorm();
+    result.rounding = curvature_rounding(diagonal_, result.mode) / mass / unit;
     return true;
   }
 
@@ -140,6 +154,7 @@ class Spectrum {
   Eigen::MatrixXd rigid_;  // orthonormal, in mass-weighted coordinates
   bool spins_ = false;     // a straight rod with frames may turn about itself, moving no mass
   Linearisation at_;
+  Eigen::VectorXd diagonal_;  // of what is factorised
   Eigen::MatrixXd compliance_columns_;
   Eigen::MatrixXd stiffness_;  // pseudo-inverse of the cables' compliance
   double shift_ = 0;
@@ -152,8 +167,9 @@ Stability stability(const System& system, const State& state) {
   return Spectrum(system, state, Eigen::MatrixXd(system.size(), 0)).run();
 }
 
-Stability stability_inextensible(const Structure& structure, const State& state,
-                                 const Eigen::VectorXd& tensions, const std::vector<int>& taut) {
+BalancedStability balanced_stability(const Structure& structure, const State& state,
+                                     const Eigen::VectorXd& tensions, const std::vector<int>& taut,
+                                     const Eigen::VectorXd& gradient) {
   core::require(tensions.size() == static_cast<Eigen::Index>(structure.cables.size()),
                 "stability_inextensible: needs one tension per cable");
   // The taut cables as stiff springs of the same tension: on motions that keep their lengths this
@@ -183,7 +199,17 @@ Stability stability_inextensible(const Structure& structure, const State& state,
             at >= 0)
           constraints(at, static_cast<Eigen::Index>(c)) += stencil.shares[i].weight * t[axis];
   }
-  return Spectrum(system, state, std::move(constraints)).run();
+  Spectrum spectrum(system, state, std::move(constraints));
+  BalancedStability result{.stability = spectrum.run()};
+  if (result.stability.stable()) result.turn = spectrum.turn(state, gradient);
+  return result;
+}
+
+Stability stability_inextensible(const Structure& structure, const State& state,
+                                 const Eigen::VectorXd& tensions, const std::vector<int>& taut) {
+  return balanced_stability(structure, state, tensions, taut,
+                            Eigen::VectorXd::Zero(System(structure).size()))
+      .stability;
 }
 
 }  // namespace tencer::equilibrium

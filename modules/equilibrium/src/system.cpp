@@ -112,24 +112,26 @@ void System::lay_out() {
     int& best = longest[group_of_rod_[r]];
     if (best < 0 || structure_.rods[r].length() > structure_.rods[best].length()) best = r;
   }
-  anchoring_unknowns_.clear();
-  for (int rod : longest) {
-    auto& list = anchoring_unknowns_.emplace_back();
+  // The others count when the longest is straight and does not show a turn about itself.
+  anchoring_unknowns_.assign(group_count, {});
+  for (int rod = 0; rod < static_cast<int>(structure_.rods.size()); ++rod) {
+    const int group = group_of_rod_[rod];
     const int n = structure_.rods[rod].vertices();
     const int gaps = structure_.rods[rod].closed ? 4 : 3;
     int last = -1;
-    for (int k = 0; k < 4; ++k) {
+    for (int k = 0; k < 4; k += rod == longest[group] ? 1 : 2) {
       const int vertex = std::min(n - 1, k * n / gaps);
       if (vertex == last) continue;
       last = vertex;
       for (int axis = 0; axis < 3; ++axis)
         if (position_index(rod, vertex, axis) >= 0)
-          list.push_back(position_index(rod, vertex, axis));
+          anchoring_unknowns_[group].push_back(position_index(rod, vertex, axis));
     }
     // A straight rod with frames turns about itself without moving a vertex.
-    if (der::twist_model(structure_.rods[rod]) == der::TwistModel::per_edge)
+    if (rod == longest[group] &&
+        der::twist_model(structure_.rods[rod]) == der::TwistModel::per_edge)
       if (const int theta = index(rod, 3 * n + structure_.rods[rod].edges() / 2); theta >= 0)
-        list.push_back(theta);
+        anchoring_unknowns_[group].push_back(theta);
   }
 
   std::vector<std::vector<int>> elements = rod_elements_;

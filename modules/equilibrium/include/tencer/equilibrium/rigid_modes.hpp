@@ -12,9 +12,11 @@ namespace tencer::equilibrium {
 // the plane, 5 for one straight rod, fewer with pins and anchors). anchoring is k x r, an
 // orthonormal basis of the same motions restricted to the system's anchoring unknowns.
 //
-// H + mu Q Q^T, Q = anchoring, is regular where H is singular on rigid motions only, and exact: at
-// an equilibrium its solves differ from the pseudo-inverse by rigid motions alone, and its inertia
-// is that of H on the other motions plus r positive ones.
+// H + R R^T, R = S^(1/2) Q, Q = anchoring and S the order of the stiffness of an edge of each
+// unknown's rod, is regular where H is singular on rigid motions
+// only, and exact: at an equilibrium its solves differ from the pseudo-inverse by rigid motions
+// alone, and its inertia is that of H on the other motions plus r positive ones. Scaled so, it
+// takes no digits from H, however much stiffer one rod is than another.
 struct RigidModes {
   Eigen::MatrixXd basis;
   Eigen::MatrixXd anchoring;
@@ -22,7 +24,7 @@ struct RigidModes {
 
 std::vector<RigidModes> rigid_modes(const System& system, const State& state);
 
-// Adds mu Q Q^T for every group; mu is the mean diagonal entry, so conditioning does not suffer.
+// Adds R R^T for every group.
 void anchor(const System& system, const std::vector<RigidModes>& modes,
             linalg::SymmetricMatrix& matrix);
 

@@ -40,7 +40,10 @@ enum class Reason {
   converged,  // residual below tolerance, no direction of negative curvature
   rounding,   // the same, but rounding keeps the residual above the tolerance
   saddle,     // forces in balance at an unstable state that could not be left
-  neutral,    // forces in balance, but some motion other than a rigid one costs nothing
+  neutral,    // forces in balance, but some motion other than a rigid one costs nothing, or no more
+              // than rounding
+  uncertain,  // forces in balance as far as rounding allows, which leaves edges free to turn by
+              // more than 1e-6
   iteration_limit,
   no_descent,  // no step lowers the energy although forces are not in balance
   not_held,    // a load on rods that no support holds against it
@@ -51,7 +54,7 @@ enum class Reason {
 struct Equilibrium {
   State state{};  // the best state found, also when the solve failed
   Reason reason = Reason::iteration_limit;
-  double residual = 0.0;  // |gradient| / (|gradient of the rods| + max EI / L^2)
+  double residual = 0.0;  // |gradient| / (|gradient of the rods| + EI / L^2), of the worst rod
   double energy = 0.0;
   int iterations = 0;
   int factorisations = 0;

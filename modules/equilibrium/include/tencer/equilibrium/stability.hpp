@@ -14,13 +14,14 @@ namespace tencer::equilibrium {
 // statically.
 struct Stability {
   double smallest_eigenvalue = 0.0;
+  double rounding = 0.0;   // what rounding of the Hessian may have done to it
   int negative = 0;        // how many eigenvalues are negative
   int loose_groups = 0;    // groups of rods free to move against each other at no cost
   bool computed = false;   // false: the eigenvalue iteration failed; nothing is certified
   Eigen::VectorXd mode{};  // of the smallest eigenvalue, in free unknowns, largest entry 1
 
   bool stable() const {
-    return computed && negative == 0 && loose_groups == 0 && smallest_eigenvalue > 0;
+    return computed && negative == 0 && loose_groups == 0 && smallest_eigenvalue > rounding;
   }
 };
 

@@ -61,8 +61,8 @@ class System {
   // Adds a symmetric matrix over anchoring_unknowns()[group] (k x k), see rigid_modes.hpp.
   void add_anchoring(int group, const Eigen::MatrixXd& anchoring,
                      linalg::SymmetricMatrix& matrix) const;
-  // Per group of rods, the free position unknowns of four vertices spread along its longest rod, and
-  // the angle of an edge if it has angles.
+  // Per group of rods, the free position unknowns of four vertices spread along its longest rod and
+  // of two of every other, and the angle of an edge of the longest if it has angles.
   const std::vector<std::vector<int>>& anchoring_unknowns() const { return anchoring_unknowns_; }
   // Group of each rod, see groups().
   const std::vector<int>& group_of_rod() const { return group_of_rod_; }
