@@ -157,6 +157,21 @@ TEST_CASE("collinear points are brought in line by the smallest rotation") {
   }
 }
 
+TEST_CASE("the turn about a nearly straight set is found from what little lies across it") {
+  std::mt19937 random(15);
+  for (const double height : {1e-3, 1e-6, 1e-9}) {
+    Eigen::Matrix3Xd from = Eigen::Matrix3Xd::Zero(3, 50);
+    from.row(0).setLinSpaced(-1, 1);
+    from.row(1) = height * from.row(0).cwiseAbs2();
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(2.0, random_points(random, 1).normalized()).toRotationMatrix();
+    const Eigen::Matrix3Xd to = turn * from;
+    const RigidMotion found = align(from, to, Eigen::VectorXd::Ones(50));
+    check_proper(found);
+    CHECK((found.apply(from) - to).norm() < 1e-13);
+  }
+}
+
 TEST_CASE("collinear points onto themselves stay, reversed they make half a turn") {
   Eigen::Matrix3Xd line = Eigen::Matrix3Xd::Zero(3, 5);
   line.row(1) << -2, -1, 0, 1, 2;

@@ -1,5 +1,6 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
+#include <cmath>
 #include <tencer/core/error.hpp>
 #include <tencer/registration/rigid.hpp>
 
@@ -9,6 +10,8 @@ namespace {
 // Relative size below which a spread or a singular value is rounding: the covariance of n points
 // carries about eps sqrt(n), and a thousand points are common.
 constexpr double rounding = 1e-13;
+// The same for what lies across the leading direction.
+constexpr double across_rounding = 1e-14;
 
 // A right-handed frame of the unit vector u and what is left of n across it.
 Eigen::Matrix3d frame(const Eigen::Vector3d& u, const Eigen::Vector3d& n) {
@@ -28,18 +31,28 @@ Eigen::Matrix3d smallest_rotation(const Eigen::Vector3d& u, const Eigen::Vector3
   return frame(v, axis) * frame(u, axis).transpose();
 }
 
-Eigen::Matrix3d best_rotation(const Eigen::Matrix3d& covariance, double size) {
+// a, b: 3 x n, centred. What rounding leaves of their covariance is about epsilon times size, and
+// of the part across a direction, a product of two such remainders, epsilon^2 times far.
+Eigen::Matrix3d best_rotation(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b,
+                              const Eigen::VectorXd& weights, double size, double far) {
+  const Eigen::Matrix3d covariance = a * weights.asDiagonal() * b.transpose();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Vector3d& sigma = svd.singularValues();
-  const Eigen::Matrix3d& u = svd.matrixU();
-  const Eigen::Matrix3d& v = svd.matrixV();
-  if (sigma[0] <= rounding * size) return Eigen::Matrix3d::Identity();
+  if (svd.singularValues()[0] <= rounding * size) return Eigen::Matrix3d::Identity();
+  // The best rotation takes the leading direction of a to that of b. The turn about it is found
+  // from what lies across it: in the covariance, which has its square, that would be lost for
+  // nearly straight sets.
+  const Eigen::Vector3d v = svd.matrixV().col(0);
+  const Eigen::Matrix3d first = smallest_rotation(svd.matrixU().col(0), v);
+  const Eigen::Matrix3d axes = frame(v, v.unitOrthogonal());
+  const Eigen::Matrix2Xd across_a = (axes.transpose() * first * a).bottomRows<2>();
+  const Eigen::Matrix2Xd across_b = (axes.transpose() * b).bottomRows<2>();
+  const Eigen::Matrix2d c = across_a * weights.asDiagonal() * across_b.transpose();
+  const double cosine = c(0, 0) + c(1, 1);
+  const double sine = c(0, 1) - c(1, 0);
   // One direction only: any turn about it is as good, so none is made.
-  if (sigma[1] <= rounding * size) return smallest_rotation(u.col(0), v.col(0));
-  Eigen::Vector3d signs = Eigen::Vector3d::Ones();
-  signs[2] = (v * u.transpose()).determinant() < 0 ? -1.0 : 1.0;
-  return v * signs.asDiagonal() * u.transpose();
+  if (std::hypot(cosine, sine) <= across_rounding * across_rounding * far) return first;
+  return Eigen::AngleAxisd(std::atan2(sine, cosine), v).toRotationMatrix() * first;
 }
 
 }  // namespace
@@ -59,8 +72,9 @@ RigidMotion align(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
   const Eigen::VectorXd root = weights.cwiseSqrt();
   const double size = (from * root.asDiagonal()).norm() * (b * root.asDiagonal()).norm() +
                       (a * root.asDiagonal()).norm() * (to * root.asDiagonal()).norm();
+  const double far = (from * root.asDiagonal()).norm() * (to * root.asDiagonal()).norm();
   RigidMotion motion;
-  motion.rotation = best_rotation(a * weights.asDiagonal() * b.transpose(), size);
+  motion.rotation = best_rotation(a, b, weights, size, far);
   motion.translation = to_centre - motion.rotation * from_centre;
   return motion;
 }
