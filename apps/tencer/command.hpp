@@ -24,6 +24,7 @@ CLI::Validator positive_number();
 
 void add_design(CLI::App& app, Command& chosen);
 void add_simulate(CLI::App& app, Command& chosen);
+void add_stress(CLI::App& app, Command& chosen);
 void add_target(CLI::App& app, Command& chosen);
 
 }  // namespace tencer::app

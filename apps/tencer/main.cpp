@@ -59,6 +59,7 @@ int run(int argc, char** argv) {
   add_design(app, chosen);
   add_simulate(app, chosen);
   add_target(app, chosen);
+  add_stress(app, chosen);
 
   try {
     app.parse(argc, argv);

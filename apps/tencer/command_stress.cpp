@@ -1,0 +1,39 @@
+// tencer stress: how the solvers fare on stiff, extreme and degenerate cases.
+#include <iostream>
+#include <memory>
+
+#include "command.hpp"
+#include "stress/table.hpp"
+
+namespace tencer::app {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  tencer stress              every case, in a minute or so
+  tencer stress --markdown   the same as the tables of docs/stability.md
+
+Each case converges to the digits it promises, or ends in a report that names the trouble. When one
+does neither, the exit code is 3.)";
+
+core::Expected<ExitCode> run_stress(stress::Format format) {
+  const int failed = stress::print_table(std::cout, format);
+  if (failed == 0) return ExitCode::ok;
+  std::cout << '\n' << failed << " cases FAILED\n";
+  return ExitCode::tolerance_not_reached;
+}
+
+}  // namespace
+
+void add_stress(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand("stress", "Try the solvers on stiff and extreme cases");
+  command->footer(examples);
+  const auto markdown = std::make_shared<bool>(false);
+  command->add_flag("--markdown", *markdown, "Print the tables of docs/stability.md");
+  command->callback([&chosen, markdown] {
+    chosen = [markdown](const core::Log&) {
+      return run_stress(*markdown ? stress::Format::markdown : stress::Format::text);
+    };
+  });
+}
+
+}  // namespace tencer::app
