@@ -22,6 +22,9 @@ refused("--optimizer: " "this build has: " design ring.obj -o out --optimizer sn
 refused("--hessian: " "limited-memory,gauss-newton,exact" design ring.obj -o out --hessian full)
 refused("--from: " "pose" simulate design.json --from here)
 refused("--cables: " "inextensible" simulate design.json --cables ropes)
+foreach(value 0 1.5 1001)
+  refused("--refine: " "${value}" simulate design.json --refine ${value})
+endforeach()
 if(MMA)
   refused("--hessian: " "belongs to the optimizer ipopt"
     design ring.obj -o out --optimizer mma --hessian exact)

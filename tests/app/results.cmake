@@ -76,6 +76,13 @@ expect_status(0)
 run_tencer(simulate rest/in/a/folder/design.json)
 expect_status(0)
 
+# With finer rods, which can be made finer again.
+run_tencer(simulate first/design.json --refine 2 -o finer)
+expect_status(0)
+expect_contains("${out}" "2 edges for each")
+run_tencer(simulate finer/design.json --refine 2)
+expect_status(0)
+
 # A tolerance that cannot be reached.
 run_tencer(design ring.obj -o coarse --max-error 1e-9 --quiet)
 expect_status(3)
