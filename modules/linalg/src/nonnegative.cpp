@@ -1,4 +1,4 @@
-#include <Eigen/Cholesky>
+#include <Eigen/Jacobi>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,145 +8,195 @@
 namespace tencer::linalg {
 namespace {
 
-// The variables that may be positive, with A restricted to them and its Cholesky factor, which
-// grows by a row with each that enters.
-class PositiveSet {
- public:
-  const std::vector<int>& indices() const { return indices_; }
-  Eigen::Index count() const { return static_cast<Eigen::Index>(indices_.size()); }
+using Eigen::Index;
 
-  // column: A(set, j), A(j, j). False when it depends on those in the set.
-  bool add(int j, const Eigen::VectorXd& column) {
-    constexpr double dependent = 1e-12;
-    const Eigen::Index n = count();
-    const Eigen::VectorXd row =
-        factor_.topLeftCorner(n, n).triangularView<Eigen::Lower>().solve(column.head(n));
-    const double rest = column[n] - row.squaredNorm();
-    if (!(rest > dependent * column[n])) return false;
-    if (n == matrix_.rows()) grow();
-    matrix_.row(n).head(n) = column.head(n).transpose();
-    matrix_.col(n).head(n) = column.head(n);
-    matrix_(n, n) = column[n];
-    factor_.row(n).head(n) = row.transpose();
-    factor_(n, n) = std::sqrt(rest);
-    indices_.push_back(j);
-    return true;
+void erase(Eigen::VectorXd& vector, Index position) {
+  const Index after = vector.size() - position - 1;
+  vector.segment(position, after) = vector.tail(after).eval();
+  vector.conservativeResize(vector.size() - 1);
+}
+
+// The variables that may be positive, and the Cholesky factor of A restricted to them: a row more
+// with each that enters, turned back into a triangle when one leaves.
+struct PositiveSet {
+  std::vector<int> indices{};
+  Eigen::VectorXd values{};
+  Eigen::MatrixXd lower{};  // with room for more rows
+
+  Index count() const { return values.size(); }
+  // The factor L, and L^T.
+  auto factor() const {
+    return lower.topLeftCorner(count(), count()).triangularView<Eigen::Lower>();
+  }
+  auto transposed() const {
+    return lower.topLeftCorner(count(), count()).transpose().triangularView<Eigen::Upper>();
   }
 
-  void keep(const std::vector<Eigen::Index>& positions) {
-    const Eigen::MatrixXd kept = matrix_(positions, positions);
-    const auto n = static_cast<Eigen::Index>(positions.size());
-    std::vector<int> indices;
-    for (const auto position : positions) indices.push_back(indices_[position]);
-    indices_ = std::move(indices);
-    matrix_.topLeftCorner(n, n) = kept;
-    factor_.topLeftCorner(n, n) = kept.llt().matrixL();
+  // row: of the factor.
+  void add(int j, double value, const Eigen::VectorXd& row) {
+    const Index n = count();
+    if (n == lower.rows()) lower.conservativeResize(2 * n + 16, 2 * n + 16);
+    lower.row(n).head(n + 1) = row.transpose();
+    indices.push_back(j);
+    values.conservativeResize(n + 1);
+    values[n] = value;
   }
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    const auto lower = factor_.topLeftCorner(count(), count()).triangularView<Eigen::Lower>();
-    return lower.transpose().solve(lower.solve(b));
+  void remove(Index position) {
+    const Index n = count();
+    for (Index i = position + 1; i < n; ++i) {
+      lower.row(i - 1).head(i + 1) = lower.row(i).head(i + 1);
+      Eigen::JacobiRotation<double> rotation;
+      rotation.makeGivens(lower(i - 1, i - 1), lower(i - 1, i));
+      auto rows = lower.block(i - 1, 0, n - i + 1, n);
+      rows.applyOnTheRight(i - 1, i, rotation);
+    }
+    indices.erase(indices.begin() + position);
+    erase(values, position);
   }
-  Eigen::VectorXd times(const Eigen::VectorXd& z) const {
-    return matrix_.topLeftCorner(count(), count()) * z;
-  }
-
- private:
-  void grow() {
-    const Eigen::Index size = std::max<Eigen::Index>(16, 2 * matrix_.rows());
-    matrix_.conservativeResize(size, size);
-    factor_.conservativeResize(size, size);
-  }
-
-  std::vector<int> indices_;
-  Eigen::MatrixXd matrix_, factor_;
 };
+
+// How many times `step` may be gone until a value reaches zero, and which does so first; infinity
+// when none decreases.
+struct Reach {
+  double times = std::numeric_limits<double>::infinity();
+  Index first = -1;
+};
+
+Reach reach(const Eigen::VectorXd& values, const Eigen::VectorXd& step) {
+  Reach result;
+  for (Index i = 0; i < values.size(); ++i) {
+    if (step[i] > 0 || (step[i] == 0 && values[i] > 0)) continue;
+    const double times = values[i] > 0 ? values[i] / -step[i] : 0;
+    if (times < result.times) result = {.times = times, .first = i};
+  }
+  return result;
+}
+
+// Takes j into the set, given its slope and A(set, j), A(j, j). Where A does not curve in the only
+// direction that is new, the value falls all along it: one variable of the set goes to zero and
+// leaves. False, with nothing changed, when none does.
+bool enter(PositiveSet& set, int j, double slope, Eigen::VectorXd column) {
+  constexpr double flat = 1e-12;
+  double value = 0;
+  const auto next_row = [&] {
+    const Index n = set.count();
+    Eigen::VectorXd row(n + 1);
+    row.head(n) = set.factor().solve(column.head(n));
+    row[n] = column[n] - row.head(n).squaredNorm();  // yet to be rooted
+    return row;
+  };
+  Eigen::VectorXd row = next_row();
+  const double least = flat * column[set.count()];
+  if (!(row[set.count()] > least)) {
+    const Eigen::VectorXd along = -set.transposed().solve(row.head(set.count()));
+    const auto [times, first] = reach(set.values, along);
+    if (first < 0 || times * row[set.count()] >= 2 * slope) return false;
+    set.values = (set.values + times * along).cwiseMax(0);
+    value = times;
+    set.remove(first);
+    erase(column, first);
+    row = next_row();
+  }
+  row[set.count()] = std::sqrt(std::max(row[set.count()], least));
+  set.add(j, value, row);
+  return true;
+}
+
+// The minimum over the set from where it is, slope: b - A z there. Variables that reach zero on the
+// way leave.
+void minimise(PositiveSet& set, Eigen::VectorXd slope) {
+  while (set.count() > 0) {
+    const Eigen::VectorXd step = set.transposed().solve(set.factor().solve(slope));
+    const auto [times, first] = reach(set.values, step);
+    if (times > 1) {
+      set.values += step;
+      return;
+    }
+    set.values = (set.values + times * step).cwiseMax(0);
+    slope *= 1 - times;
+    set.remove(first);
+    erase(slope, first);
+  }
+}
 
 }  // namespace
 
 Nonnegative solve_nonnegative(const NonnegativeProblem& problem,
                               const NonnegativeOptions& options) {
+  core::require(problem.size >= 0 && problem.slope && problem.column,
+                "NonnegativeProblem needs a size that is not negative, slope and column");
+  core::require(options.tolerance >= 0 && options.max_steps > 0,
+                "NonnegativeOptions: tolerance must not be negative, max_steps positive");
+  // Of the numbers a slope is the difference of; it is not known any better.
+  constexpr double rounding = 1e-14;
   PositiveSet set;
-  Eigen::VectorXd values;
   Eigen::VectorXd slope(problem.size);
-  std::vector<bool> barred(problem.size, false);  // dependent on the present set
-  Nonnegative result;
-  const auto finished = [&](bool converged) {
-    result.set = set.indices();
-    result.values = values;
-    result.converged = converged;
-    return result;
+  std::vector<bool> barred(problem.size, false);  // until the set changes
+  bool endless = false;                           // nothing stops one of those barred
+  int steps = 0;
+  const auto finished = [&](bool converged) -> Nonnegative {
+    return {.set = set.indices, .values = set.values, .steps = steps, .converged = converged};
   };
-  problem.slope(set.indices(), values, slope);
-  while (result.steps < options.max_steps) {
-    std::vector<bool> inside = barred;
-    for (const int j : set.indices()) inside[j] = true;
-    int entering = -1;
-    double steepest = options.tolerance;
+  const auto find_slope = [&] {
+    problem.slope(set.indices, set.values, slope);
+    core::require(slope.size() == problem.size && slope.allFinite(),
+                  "NonnegativeProblem::slope must give a finite number for each variable");
+  };
+  const auto steepest = [&] {
+    std::vector<bool> out = barred;
+    for (const int j : set.indices) out[j] = true;
+    int found = -1;
     for (int j = 0; j < problem.size; ++j)
-      if (!inside[j] && slope[j] > steepest) {
-        steepest = slope[j];
-        entering = j;
-      }
-    if (entering < 0) return finished(true);
-    ++result.steps;
-    if (!set.add(entering, problem.column(set.indices(), entering))) {
+      if (!out[j] && slope[j] > (found < 0 ? options.tolerance : slope[found])) found = j;
+    return found;
+  };
+  find_slope();
+  for (;;) {
+    const int entering = steepest();
+    if (entering < 0) return finished(!endless);
+    if (steps == options.max_steps) return finished(false);
+    ++steps;
+    const Eigen::VectorXd column = problem.column(set.indices, entering);
+    core::require(
+        column.size() == set.count() + 1 && column.allFinite() && column[set.count()] >= 0,
+        "NonnegativeProblem::column must give finite numbers, one for each variable of the set and "
+        "last A(j, j), which is not negative");
+    const double known_to =
+        rounding * std::sqrt(column[set.count()]) * (set.transposed() * set.values).norm();
+    const bool negligible = slope[entering] <= known_to;
+    if (negligible || !enter(set, entering, slope[entering], column)) {
       barred[entering] = true;
+      endless = endless || !negligible;
       continue;
     }
-    values.conservativeResize(set.count());
-    values[set.count() - 1] = 0;
-    // b on the set, the same at every point.
-    Eigen::VectorXd b = set.times(values);
-    for (Eigen::Index i = 0; i < set.count(); ++i) b[i] += slope[set.indices()[i]];
-    for (;;) {
-      const Eigen::VectorXd best = set.solve(b);
-      // As far towards the unbounded solution as no variable turns negative.
-      double way = 1;
-      for (Eigen::Index i = 0; i < best.size(); ++i)
-        if (best[i] <= 0) way = std::min(way, values[i] / (values[i] - best[i]));
-      if (way == 1 && best.minCoeff() > 0) {
-        values = best;
-        break;
-      }
-      values += way * (best - values);
-      const double zero = 1e-14 * values.maxCoeff();
-      std::vector<Eigen::Index> positive;
-      for (Eigen::Index i = 0; i < best.size(); ++i)
-        if (values[i] > zero || best[i] > 0) positive.push_back(i);
-      // The one that entered may be all rounding.
-      if (static_cast<Eigen::Index>(positive.size()) == best.size()) positive.pop_back();
-      values = Eigen::VectorXd(values(positive));
-      b = Eigen::VectorXd(b(positive));
-      set.keep(positive);
-      if (positive.empty()) break;
-    }
-    if (std::ranges::find(set.indices(), entering) == set.indices().end()) {
-      barred[entering] = true;
+    minimise(set, slope(set.indices));
+    if (std::ranges::find(set.indices, entering) == set.indices.end()) {
+      barred[entering] = true;  // its gain was all rounding
     } else {
       barred.assign(barred.size(), false);
+      endless = false;
     }
-    if (problem.enough && problem.enough(set.indices(), values)) return finished(true);
-    problem.slope(set.indices(), values, slope);
+    if (problem.enough && problem.enough(set.indices, set.values)) return finished(true);
+    find_slope();
   }
-  return finished(false);
 }
 
 Nonnegative solve_nonnegative(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
                               const NonnegativeOptions& options) {
   core::require(A.rows() == A.cols() && A.rows() == b.size(),
                 "solve_nonnegative: A must be square and fit b");
+  core::require(A.allFinite() && b.allFinite(), "solve_nonnegative: A and b must be finite");
   NonnegativeProblem problem{.size = static_cast<int>(b.size())};
   problem.slope = [&](std::span<const int> set, const Eigen::VectorXd& values,
                       Eigen::VectorXd& slope) {
     slope = b;
     for (std::size_t i = 0; i < set.size(); ++i)
-      slope -= values[static_cast<Eigen::Index>(i)] * A.col(set[i]);
+      slope -= values[static_cast<Index>(i)] * A.col(set[i]);
   };
   problem.column = [&](std::span<const int> set, int j) {
-    Eigen::VectorXd column(static_cast<Eigen::Index>(set.size()) + 1);
-    for (std::size_t i = 0; i < set.size(); ++i)
-      column[static_cast<Eigen::Index>(i)] = A(set[i], j);
+    Eigen::VectorXd column(static_cast<Index>(set.size()) + 1);
+    for (std::size_t i = 0; i < set.size(); ++i) column[static_cast<Index>(i)] = A(set[i], j);
     column[column.size() - 1] = A(j, j);
     return column;
   };

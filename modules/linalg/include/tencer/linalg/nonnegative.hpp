@@ -11,7 +11,7 @@ namespace tencer::linalg {
 
 // Minimise z^T A z / 2 - b^T z over z >= 0, A symmetric positive semidefinite, of which only the
 // columns of variables that become positive are ever asked for. For least squares |B z - c|^2,
-// A = B^T B and b = B^T c.
+// A = B^T B and b = B^T c. The functions must give finite numbers.
 struct NonnegativeProblem {
   int size = 0;
   // b - A z into `slope` (size), z given by its positive entries: `values` at `set`.
@@ -31,14 +31,18 @@ struct NonnegativeOptions {
 };
 
 // The positive variables; all others are zero. At the solution slope is zero at `set` and at most
-// the tolerance elsewhere. Variables whose column depends on those in the set do not enter.
+// the tolerance, or what rounding leaves of it, elsewhere. The columns of the set do not depend on
+// each other, and a solution is found whether or not those of A do.
 struct Nonnegative {
   std::vector<int> set{};
   Eigen::VectorXd values{};
   int steps = 0;
-  bool converged = false;  // or `enough` said so
+  // A solution, or `enough` said so. If not, max_steps were taken, or as far as rounding tells the
+  // value falls for ever along a direction in which A is flat (to 1e-12 of its diagonal).
+  bool converged = false;
 };
 
+// Throws std::invalid_argument for numbers that are not finite and for sizes that do not fit.
 Nonnegative solve_nonnegative(const NonnegativeProblem& problem,
                               const NonnegativeOptions& options = {});
 
