@@ -168,6 +168,19 @@ TEST_CASE("badly scaled unknowns do not make a matrix singular") {
   CHECK(factor.inertia().positive == n);
 }
 
+TEST_CASE("the cost of a factorisation is that of its pattern") {
+  // A path eliminated from its ends fills nothing up: a diagonal and n - 1 entries beside it.
+  const int n = 500;
+  SymmetricFactor path;
+  REQUIRE(path.factorise(fixed_path_laplacian(n)));
+  CHECK(path.cost().bytes == (2 * n - 1) * (sizeof(double) + sizeof(int)));
+  CHECK(path.cost().operations < 5 * n);
+  std::mt19937 random(8);
+  SymmetricFactor full;
+  REQUIRE(full.factorise(random_symmetric(60, 1.0, random)));
+  CHECK(full.cost().bytes == 60 * 60 * sizeof(double));
+}
+
 TEST_CASE("a moved factor keeps its factorisation") {
   SymmetricFactor factor;
   REQUIRE(factor.factorise(fixed_path_laplacian(12)));

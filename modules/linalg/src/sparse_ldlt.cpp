@@ -1,5 +1,6 @@
 #include "sparse_ldlt.hpp"
 
+#include <new>
 #include <vector>
 
 #include "significant_pivot.hpp"
@@ -57,11 +58,16 @@ SparseLdlt::~SparseLdlt() {
   cholmod_finish(&common_);
 }
 
-bool SparseLdlt::analyse(const SymmetricMatrix& matrix) {
+void SparseLdlt::require_memory() const {
+  if (common_.status == CHOLMOD_OUT_OF_MEMORY || common_.status == CHOLMOD_TOO_LARGE)
+    throw std::bad_alloc();
+}
+
+void SparseLdlt::analyse(const SymmetricMatrix& matrix) {
   cholmod_free_factor(&factor_, &common_);
   cholmod_sparse view = view_of(matrix);
   factor_ = cholmod_analyze(&view, &common_);
-  return factor_ != nullptr;
+  require_memory();
 }
 
 double SparseLdlt::pivot(int j) const {
@@ -72,6 +78,7 @@ bool SparseLdlt::factorise(const SymmetricMatrix& matrix, double shift) {
   cholmod_sparse view = view_of(matrix);
   double beta[2] = {shift, 0.0};
   cholmod_factorize_p(&view, beta, nullptr, 0, factor_, &common_);
+  require_memory();
   return factor_->xtype == CHOLMOD_REAL && factor_->minor == factor_->n && pivots_are_significant();
 }
 
@@ -100,6 +107,7 @@ Eigen::MatrixXd SparseLdlt::solve(const Eigen::Ref<const Eigen::MatrixXd>& right
   const Eigen::MatrixXd packed = right_hand_sides;
   cholmod_dense view = view_of(packed.data(), packed.rows(), packed.cols());
   cholmod_dense* x = cholmod_solve(CHOLMOD_A, factor_, &view, &common_);
+  require_memory();
   const Eigen::MatrixXd solution =
       Eigen::Map<const Eigen::MatrixXd>(static_cast<double*>(x->x), packed.rows(), packed.cols());
   cholmod_free_dense(&x, &common_);
@@ -110,6 +118,7 @@ void SparseLdlt::solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& 
   cholmod_dense view = view_of(right_hand_side.data(), right_hand_side.size(), 1);
   cholmod_solve2(CHOLMOD_A, factor_, &view, nullptr, &solution_, nullptr, &workspace_y_,
                  &workspace_e_, &common_);
+  require_memory();
   solution = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(solution_->x),
                                                right_hand_side.size());
 }
@@ -123,7 +132,10 @@ Eigen::VectorXd SparseLdlt::negative_curvature() {
   const Eigen::VectorXd unit = Eigen::VectorXd::Unit(size(), lowest);
   cholmod_dense view = view_of(unit.data(), unit.size(), 1);
   cholmod_dense* permuted = cholmod_solve(CHOLMOD_Lt, factor_, &view, &common_);
+  require_memory();
   cholmod_dense* direction = cholmod_solve(CHOLMOD_Pt, factor_, permuted, &common_);
+  if (!direction) cholmod_free_dense(&permuted, &common_);
+  require_memory();
   const Eigen::VectorXd result =
       Eigen::Map<const Eigen::VectorXd>(static_cast<double*>(direction->x), size());
   cholmod_free_dense(&permuted, &common_);

@@ -16,10 +16,13 @@ class SparseLdlt {
   SparseLdlt(const SparseLdlt&) = delete;
   SparseLdlt& operator=(const SparseLdlt&) = delete;
 
-  // The ordering and the pattern of L. False when there was no memory for them.
-  bool analyse(const SymmetricMatrix& matrix);
-  // Multiplications and additions a factorisation with the analysed pattern takes.
+  // The ordering and the pattern of L. This, factorise and solve throw std::bad_alloc when there is
+  // no memory for it.
+  void analyse(const SymmetricMatrix& matrix);
+  // Multiplications and additions a factorisation with the analysed pattern takes, and the entries
+  // of L.
   double operations() const { return common_.fl; }
+  double entries() const { return common_.lnz; }
 
   // matrix + shift * identity, with the analysed pattern. False when a pivot is lost in rounding.
   bool factorise(const SymmetricMatrix& matrix, double shift);
@@ -32,6 +35,7 @@ class SparseLdlt {
   int size() const { return static_cast<int>(factor_->n); }
   double pivot(int j) const;
   bool pivots_are_significant() const;
+  void require_memory() const;
 
   cholmod_common common_{};
   cholmod_factor* factor_ = nullptr;

@@ -35,14 +35,13 @@ struct SymmetricFactor::Implementation {
            std::equal(analysed_rows.begin(), analysed_rows.end(), matrix.innerIndexPtr());
   }
 
-  bool analyse(const SymmetricMatrix& matrix) {
+  void analyse(const SymmetricMatrix& matrix) {
     analysed_columns.resize(0);
-    if (!sparse.analyse(matrix)) return false;
+    sparse.analyse(matrix);
     is_dense = sparse.operations() > dense_from * DenseLdlt::operations(matrix.rows());
     analysed_columns = Eigen::Map<const Eigen::VectorXi>(matrix.outerIndexPtr(), matrix.cols() + 1);
     analysed_rows = Eigen::Map<const Eigen::VectorXi>(matrix.innerIndexPtr(), matrix.nonZeros());
     ++analyses;
-    return true;
   }
 };
 
@@ -56,7 +55,7 @@ bool SymmetricFactor::factorise(const SymmetricMatrix& matrix, double shift) {
                 "factorise: needs a square compressed matrix");
   auto& self = *implementation_;
   self.usable = false;
-  if (!self.same_pattern(matrix) && !self.analyse(matrix)) return false;
+  if (!self.same_pattern(matrix)) self.analyse(matrix);
   ++self.factorisations;
   self.usable =
       self.is_dense ? self.dense.factorise(matrix, shift) : self.sparse.factorise(matrix, shift);
@@ -92,6 +91,18 @@ Eigen::VectorXd SymmetricFactor::negative_curvature() const {
   auto& self = *implementation_;
   core::require(self.usable, "negative_curvature: needs a factorised matrix");
   return self.is_dense ? self.dense.negative_curvature() : self.sparse.negative_curvature();
+}
+
+FactorCost SymmetricFactor::cost() const {
+  const auto& self = *implementation_;
+  core::require(self.size() > 0, "cost: needs a factorised matrix");
+  const double size = self.size();
+  if (self.is_dense)
+    return {.operations = DenseLdlt::operations(self.size()),
+            .bytes = size * size * sizeof(double)};
+  // Simplicial: a value and a row index an entry.
+  return {.operations = self.sparse.operations(),
+          .bytes = self.sparse.entries() * (sizeof(double) + sizeof(int))};
 }
 
 int SymmetricFactor::analyses() const { return implementation_->analyses; }

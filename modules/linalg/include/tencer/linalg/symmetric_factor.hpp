@@ -13,6 +13,13 @@ struct Inertia {
   int positive = 0;
 };
 
+// What one factorisation takes at least: multiplications and additions, and the size of L.
+struct FactorCost {
+  double operations = 0.0;
+  double bytes = 0.0;
+};
+
+// Throws std::bad_alloc where memory runs out.
 class SymmetricFactor {
  public:
   SymmetricFactor();
@@ -35,6 +42,9 @@ class SymmetricFactor {
   // A direction d with d^T A d < 0 (the pivot's value), from one back substitution with the column
   // of the most negative pivot; empty when no pivot is negative.
   Eigen::VectorXd negative_curvature() const;
+
+  // Of the pattern factorised last.
+  FactorCost cost() const;
 
   // How often a matrix was analysed and factorised, for reports and benchmarks.
   int analyses() const;
