@@ -1,6 +1,7 @@
 // tencer: designs networks of cables that hold bent elastic rods in a chosen shape.
 #include <exception>
 #include <iostream>
+#include <new>
 
 #include "command.hpp"
 #include "console_log.hpp"
@@ -77,6 +78,11 @@ int run(int argc, char** argv) {
     complain(result.error().text());
     return static_cast<int>(ExitCode::bad_input);
   }
+  std::cout.flush();
+  if (!std::cout) {
+    complain("standard output cannot be written");
+    return static_cast<int>(ExitCode::unexpected);
+  }
   return static_cast<int>(*result);
 }
 
@@ -87,6 +93,8 @@ int main(int argc, char** argv) {
   using namespace tencer::app;
   try {
     return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    complain("out of memory");
   } catch (const std::exception& error) {
     complain(std::string("unexpected failure: ") + error.what());
   } catch (...) {

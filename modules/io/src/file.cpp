@@ -18,13 +18,26 @@ core::Error unwritable(const fs::path& path, int error) {
   return {path.string(), "cannot be written: " + reason(error)};
 }
 
+// Beside `path`; its own name for each write, so that two programs do not write into each other's.
+fs::path part_of(fs::path path) {
+  return path.concat(".").concat(std::to_string(std::random_device()())).concat(".part");
+}
+
+// Into `file`; an error names `path`, which it is to become.
+std::optional<core::Error> write_text(const fs::path& file, const fs::path& path,
+                                      std::string_view text) {
+  errno = 0;
+  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
+  stream << text;
+  stream.close();  // flushes
+  if (!stream) return unwritable(path, errno != 0 ? errno : EIO);
+  return std::nullopt;
+}
+
 // A text beside the file it is to become; gone again unless renamed.
 class PartFile {
  public:
-  explicit PartFile(const fs::path& path) : path_(path), part_(path) {
-    // Its own name for each write, so that two programs do not write into each other's.
-    part_.concat(".").concat(std::to_string(std::random_device()())).concat(".part");
-  }
+  explicit PartFile(const fs::path& path) : path_(path), part_(part_of(path)) {}
   ~PartFile() {
     std::error_code ignored;
     if (!part_.empty()) fs::remove(part_, ignored);
@@ -36,12 +49,7 @@ class PartFile {
   PartFile& operator=(PartFile&&) = delete;
 
   std::optional<core::Error> write(std::string_view text) const {
-    errno = 0;
-    std::ofstream stream(part_, std::ios::binary | std::ios::trunc);
-    stream << text;
-    stream.close();  // flushes
-    if (!stream) return unwritable(path_, errno != 0 ? errno : EIO);
-    return std::nullopt;
+    return write_text(part_, path_, text);
   }
 
   std::optional<core::Error> rename() {
@@ -84,12 +92,36 @@ class MadeFolder {
     }
     return std::nullopt;
   }
+  // Removed with the folder; an error names the file in `later`.
+  std::optional<core::Error> write(const NamedText& file, const fs::path& later) {
+    made_.push_back(folder_ / file.name);
+    return write_text(made_.back(), later / file.name, file.text);
+  }
+  const fs::path& path() const { return folder_; }
   void keep() { made_.clear(); }
 
  private:
   fs::path folder_;
   std::vector<fs::path> made_;
 };
+
+// The files in a folder that is not there yet: made under another name, which is gone again unless
+// all of them could be written.
+std::optional<core::Error> write_new_folder(const fs::path& folder,
+                                            std::span<const NamedText> files) {
+  MadeFolder above(folder.parent_path());
+  MadeFolder staged(part_of(folder));
+  for (MadeFolder* needed : {&above, &staged})
+    if (auto error = needed->make()) return core::Error{folder.string(), error->message};
+  for (const NamedText& file : files)
+    if (auto error = staged.write(file, folder)) return error;
+  std::error_code failure;
+  fs::rename(staged.path(), folder, failure);
+  if (failure) return unwritable(folder, failure.value());
+  staged.keep();
+  above.keep();
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -106,18 +138,24 @@ core::Expected<std::string> read_file(const fs::path& path) {
 }
 
 std::optional<core::Error> write_file(const fs::path& path, std::string_view text) {
+  // A device or pipe is written to, never replaced.
+  std::error_code ignored;
+  const auto there = fs::status(path, ignored);
+  if (fs::exists(there) && !fs::is_regular_file(there) && !fs::is_directory(there))
+    return write_text(path, path, text);
   PartFile file(path);
   if (auto error = file.write(text)) return error;
   return file.rename();
 }
 
 std::optional<core::Error> write_files(const fs::path& folder, std::span<const NamedText> files) {
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored)) return write_new_folder((folder / "").parent_path(), files);
   MadeFolder made(folder);
   if (auto error = made.make()) return error;
   std::vector<PartFile> parts;
   for (const NamedText& file : files) {
     // Found out before anything is renamed.
-    std::error_code ignored;
     if (fs::is_directory(folder / file.name, ignored))
       return unwritable(folder / file.name, EISDIR);
     parts.emplace_back(folder / file.name);

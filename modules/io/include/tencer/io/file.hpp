@@ -15,7 +15,8 @@ core::Expected<std::string> read_file(const std::filesystem::path& path);
 
 // Puts the text in a temporary file in the same folder, flushes it and renames it over
 // `path`, so the path holds the old content or the new one. An Error when that was not possible;
-// the old file is then untouched and the temporary one gone.
+// the old file is then untouched and the temporary one gone. A device or pipe is written to as it
+// is.
 std::optional<core::Error> write_file(const std::filesystem::path& path, std::string_view text);
 
 struct NamedText {
@@ -23,8 +24,9 @@ struct NamedText {
   std::string text;
 };
 
-// All of them into `folder`, which is made when it is not there. On an Error no old file is touched
-// and nothing new is left, no folder either.
+// All of them into `folder`. On an Error no old file is touched and nothing new is left, no folder
+// either. A folder that is not there appears at once with all its files, so that a program that is
+// killed leaves the whole folder or none; in one that is there, each file is the old or the new one.
 std::optional<core::Error> write_files(const std::filesystem::path& folder,
                                        std::span<const NamedText> files);
 
