@@ -16,6 +16,7 @@ explains()
 explains(design)
 explains(simulate)
 explains(target)
+explains(stress)
 
 run_tencer(--version)
 expect_status(0)
