@@ -64,10 +64,11 @@ std::optional<core::Error> apply(const DesignRequest& request, io::DesignSetting
     settings.optimizer = *request.optimizer;
   }
   if (request.hessian) {
-    if (settings.optimizer != "ipopt")
-      return core::Error{"--hessian", "belongs to the optimizer ipopt; " + settings.optimizer +
-                                          " uses gradients only"};
     settings.hessian = *request.hessian;
+    if (const auto problem = io::hessian_problem(settings))
+      return core::Error{"--hessian", *problem};
+  } else if (request.optimizer && io::hessian_problem(settings)) {
+    settings.hessian = io::DesignSettings{}.hessian;  // the scene's was for another optimizer
   }
   if (request.max_error) settings.max_error = *request.max_error;
   return std::nullopt;
@@ -134,7 +135,7 @@ void add_design(CLI::App& app, Command& chosen) {
                           io::DesignSettings{}.optimizer + "]");
   command
       ->add_option("--hessian", request->hessian,
-                   "What ipopt is told of curvature [the scene's, else " +
+                   "What gauss-newton or ipopt is told of curvature [the scene's, else " +
                        io::DesignSettings{}.hessian + "]")
       ->check(CLI::IsMember({"limited-memory", "gauss-newton", "exact"}));
   command

@@ -94,7 +94,7 @@ TEST_CASE("a scene of one line has defaults for all else") {
   CHECK(scene.pinned.empty());
   CHECK_FALSE(scene.planar);
   CHECK(scene.design.method == "dense-springs");
-  CHECK(scene.design.optimizer == "ipopt");
+  CHECK(scene.design.optimizer == "gauss-newton");
   CHECK(scene.design.hessian == "gauss-newton");
   CHECK(scene.design.max_error == 1.0);
   CHECK_FALSE(scene.design.rod_pairs);
@@ -410,9 +410,14 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
       {design + "method = 'magic'\n",
        "s.toml:4: design.method: expected one of dense-springs, found \"magic\""},
       {design + "optimizer = 'knitro'\n",
-       "s.toml:4: design.optimizer: expected one of ipopt, mma, ccsaq, found \"knitro\""},
+       "s.toml:4: design.optimizer: expected one of gauss-newton, ipopt, mma, ccsaq, found "
+       "\"knitro\""},
       {design + "optimizer = 'mma'\nhessian = 'exact'\n",
-       "s.toml:5: design.hessian: belongs to the optimizer ipopt; mma uses gradients only"},
+       "s.toml:5: design.hessian: belongs to the optimizer ipopt or gauss-newton; mma uses "
+       "gradients only"},
+      {design + "hessian = 'limited-memory'\n",
+       "s.toml:4: design.hessian: limited-memory is for ipopt; for gauss-newton use gauss-newton "
+       "or exact"},
       {design + "rod_pairs = [[0, 1]]\n", "s.toml:4: design.rod_pairs: there is no rod 1; use 0"},
       {design + "rod_pairs = [[0]]\n",
        "s.toml:4: design.rod_pairs: expected pairs [a, b], found an array of 1"},

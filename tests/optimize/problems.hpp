@@ -114,6 +114,11 @@ inline Known with_an_edge(const Eigen::Vector2d& c, std::optional<double> missin
     g = (4.0 * (p - c).squaredNorm() + 2.0) * (p - c);
     return true;
   };
+  known.problem.hessian = [c](const Eigen::VectorXd& p, Eigen::MatrixXd& h) {
+    const Eigen::Vector2d d = p - c;
+    h = (4.0 * d.squaredNorm() + 2.0) * Eigen::Matrix2d::Identity() + 8.0 * d * d.transpose();
+    return true;
+  };
   known.start = Eigen::Vector2d(-2.0, -3.0);
   known.answer = c;
   return known;

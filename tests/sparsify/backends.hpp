@@ -1,7 +1,7 @@
 // The optimizers that are part of the build.
 #pragma once
 
-#include <tencer/optimize/backend.hpp>
+#include <tencer/optimize/gauss_newton.hpp>
 #include <tencer/sparsify/outer.hpp>
 #include <vector>
 #ifdef TENCER_WITH_OPTIMIZE_IPOPT
@@ -14,7 +14,7 @@
 namespace tencer::sparsify::test {
 
 inline std::vector<optimize::Backend> backends() {
-  std::vector<optimize::Backend> all;
+  std::vector<optimize::Backend> all{optimize::gauss_newton()};
 #ifdef TENCER_WITH_OPTIMIZE_IPOPT
   for (auto& backend : optimize_ipopt::backends()) all.push_back(backend);
 #endif

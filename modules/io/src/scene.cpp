@@ -145,11 +145,10 @@ void read_design(const TomlTable& design, Scene& scene) {
     value = design.one_of(key, std::span(choices.begin(), choices.size())).value_or(value);
   };
   choose("method", {"dense-springs"}, settings.method);
-  choose("optimizer", {"ipopt", "mma", "ccsaq"}, settings.optimizer);
+  choose("optimizer", {"gauss-newton", "ipopt", "mma", "ccsaq"}, settings.optimizer);
   choose("hessian", {"limited-memory", "gauss-newton", "exact"}, settings.hessian);
-  if (design.has("hessian") && settings.optimizer != "ipopt")
-    design.fail("hessian",
-                "belongs to the optimizer ipopt; " + settings.optimizer + " uses gradients only");
+  if (design.has("hessian"))
+    if (const auto problem = hessian_problem(settings)) design.fail("hessian", *problem);
   settings.max_error = design.positive("max_error").value_or(settings.max_error);
   settings.longest_cable = design.positive("longest_cable");
   settings.spring_stiffness =
@@ -223,6 +222,15 @@ Scene parse_scene(const TomlTable& root, const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+std::optional<std::string> hessian_problem(const DesignSettings& settings) {
+  if (settings.optimizer == "gauss-newton" && settings.hessian == "limited-memory")
+    return "limited-memory is for ipopt; for gauss-newton use gauss-newton or exact";
+  if (settings.optimizer != "gauss-newton" && settings.optimizer != "ipopt")
+    return "belongs to the optimizer ipopt or gauss-newton; " + settings.optimizer +
+           " uses gradients only";
+  return std::nullopt;
+}
 
 core::Expected<Scene> read_scene(const std::filesystem::path& path) {
   return guarded([&] {

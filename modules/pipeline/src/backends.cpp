@@ -1,3 +1,4 @@
+#include <tencer/optimize/gauss_newton.hpp>
 #include <tencer/pipeline/backends.hpp>
 
 #ifdef TENCER_WITH_OPTIMIZE_IPOPT
@@ -10,7 +11,7 @@
 namespace tencer::pipeline {
 
 std::vector<optimize::Backend> backends() {
-  std::vector<optimize::Backend> all;
+  std::vector<optimize::Backend> all{optimize::gauss_newton()};
 #ifdef TENCER_WITH_OPTIMIZE_IPOPT
   for (auto& backend : optimize_ipopt::backends()) all.push_back(std::move(backend));
 #endif

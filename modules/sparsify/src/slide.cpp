@@ -2,7 +2,6 @@
 #include <tencer/core/error.hpp>
 #include <tencer/sparsify/slide.hpp>
 
-#include "levenberg.hpp"
 #include "refine.hpp"
 #include "stage_clock.hpp"
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <optional>
 #include <tencer/core/error.hpp>
+#include <tencer/optimize/gauss_newton.hpp>
 #include <tencer/sparsify/rest_length.hpp>
 #include <tencer/sparsify/thin.hpp>
 
-#include "levenberg.hpp"
 #include "refine.hpp"
 #include "removal_cost.hpp"
 #include "stage_clock.hpp"
@@ -41,7 +41,8 @@ StageResult thin(const Network& network, const sensitivity::Target& target, cons
     if (left) {
       OuterOptions with_hessian = options.outer;
       with_hessian.second_derivatives = SecondDerivatives::gauss_newton;
-      const Refined near = refine(*left, target, setup, levenberg(), with_hessian, control, effort);
+      const Refined near =
+          refine(*left, target, setup, optimize::gauss_newton(), with_hessian, control, effort);
       Refined refined =
           refine(near.network, target, setup, backend, options.outer, control, effort);
       left.reset();

@@ -59,9 +59,9 @@ struct SceneRod {
 
 struct DesignSettings {
   std::string method = "dense-springs";
-  std::string optimizer = "ipopt";       // ipopt, mma, ccsaq
-  std::string hessian = "gauss-newton";  // limited-memory, gauss-newton, exact; ipopt only
-  double max_error = 1.0;                // percent of the bounding-box diagonal
+  std::string optimizer = "gauss-newton";  // gauss-newton, ipopt, mma, ccsaq
+  std::string hessian = "gauss-newton";    // limited-memory, gauss-newton, exact
+  double max_error = 1.0;                  // percent of the bounding-box diagonal
   // Cables only within these pairs of rods; [i, i] is within a rod. None: all pairs.
   std::optional<std::vector<std::array<int, 2>>> rod_pairs = std::nullopt;
   bool external = true;  // cables to the anchors, if there are any
@@ -90,6 +90,9 @@ struct Scene {
 // sizes are valid in what it returns. Errors: "file:line", with the key; an unknown key is one and
 // comes with the key that is probably meant, or those known there.
 core::Expected<Scene> read_scene(const std::filesystem::path& path);
+
+// Why settings.hessian cannot go with settings.optimizer; nullopt when it can.
+std::optional<std::string> hessian_problem(const DesignSettings& settings);
 
 // The scene of bare curves (as from read_curves) with every default. `source` is the curves' file:
 // errors begin with it, and the scene is named after it.

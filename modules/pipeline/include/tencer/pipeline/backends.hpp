@@ -6,7 +6,7 @@
 
 namespace tencer::pipeline {
 
-// Every adapter that was not left out when tencer was built; see optimize::find_backend.
+// gauss-newton, then every adapter that was not left out when tencer was built; see optimize::find_backend.
 std::vector<optimize::Backend> backends();
 
 }  // namespace tencer::pipeline

@@ -7,7 +7,7 @@ namespace tencer::sparsify {
 
 // What a backend that uses second derivatives is given; others ignore it.
 enum class SecondDerivatives {
-  none,          // it estimates them from gradients
+  none,          // it estimates them from gradients; gauss-newton, which cannot, takes its own
   gauss_newton,  // of the distance to the target
   exact
 };

@@ -1,16 +1,16 @@
-#include "levenberg.hpp"
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <tencer/core/error.hpp>
 #include <tencer/optimize/evaluator.hpp>
+#include <tencer/optimize/gauss_newton.hpp>
 #include <vector>
 
-namespace tencer::sparsify {
+namespace tencer::optimize {
 namespace {
 
-// The damped step on the free variables; empty when the damped matrix is not positive definite.
-Eigen::VectorXd damped_step(const optimize::Problem& problem, const Eigen::VectorXd& p,
+// The damped step on the free parameters; empty when the damped matrix is not positive definite.
+Eigen::VectorXd damped_step(const Problem& problem, const Eigen::VectorXd& p,
                             const Eigen::VectorXd& g, const Eigen::MatrixXd& h, double damping) {
   std::vector<Eigen::Index> free;
   for (Eigen::Index i = 0; i < p.size(); ++i)
@@ -19,9 +19,12 @@ Eigen::VectorXd damped_step(const optimize::Problem& problem, const Eigen::Vecto
   Eigen::VectorXd step = Eigen::VectorXd::Zero(p.size());
   if (free.empty()) return step;
   Eigen::MatrixXd matrix = h(free, free);
-  const double typical = matrix.diagonal().cwiseAbs().mean();
+  // The second only matters to a matrix with little on its diagonal, and then it is indefinite.
+  const double typical = std::max(matrix.diagonal().cwiseAbs().mean(),
+                                  matrix.cwiseAbs().maxCoeff() / static_cast<double>(free.size()));
+  const double least = typical > 0 ? 1e-3 * typical : 1;
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-    matrix(i, i) += damping * std::max(std::abs(matrix(i, i)), 1e-3 * typical);
+    matrix(i, i) += damping * std::max(std::abs(matrix(i, i)), least);
   const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
   if (factor.info() != Eigen::Success) return {};
   const Eigen::VectorXd slope = g(free);
@@ -29,45 +32,47 @@ Eigen::VectorXd damped_step(const optimize::Problem& problem, const Eigen::Vecto
   return step;
 }
 
-optimize::Report minimise(const optimize::Problem& problem, const Eigen::VectorXd& start,
-                          const optimize::Options& options) {
+Report minimise(const Problem& problem, const Eigen::VectorXd& start, const Options& options) {
+  core::require(problem.hessian != nullptr, "minimise: gauss-newton needs Problem::hessian");
   constexpr double least = 1e-6;
   constexpr double most = 1e6;
-  optimize::Evaluator evaluator(problem, start, options);
+  Evaluator evaluator(problem, start, options);
   Eigen::VectorXd p = evaluator.start();
   Eigen::VectorXd g;
   Eigen::MatrixXd h;
   double damping = 1e-2;
-  while (!evaluator.finished() && evaluator.gradient(p, g) && evaluator.hessian(p, h)) {
+  double longest = options.first_step;  // a limited step rather than a refused one
+  while (!evaluator.finished() && evaluator.gradient(p, g)) {
+    if (!evaluator.hessian(p, h)) return evaluator.finish("no Hessian at the last point");
     const double value = evaluator.value(p).value();
     bool moved = false;
     while (!moved && damping <= most && !evaluator.finished()) {
       Eigen::VectorXd step = damped_step(problem, p, g, h, damping);
       if (step.size() > 0) {
-        // A limited step rather than a refused one.
-        const double longest = step.lpNorm<Eigen::Infinity>();
-        if (longest > options.first_step) step *= options.first_step / longest;
+        const double length = step.lpNorm<Eigen::Infinity>();
+        if (length > longest) step *= longest / length;
         const Eigen::VectorXd next = (p + step).cwiseMax(problem.lower).cwiseMin(problem.upper);
         const auto there = evaluator.value(next);
+        if (!there) longest = 0.5 * (next - p).lpNorm<Eigen::Infinity>();
         moved = there && *there < value;
         if (moved) p = next;
       }
       damping = moved ? std::max(damping / 5, least) : 4 * damping;
     }
-    if (!moved) break;
-    if (!evaluator.gradient(p, g)) break;
+    if (!moved || !evaluator.gradient(p, g)) break;
     evaluator.accept(p);
+    longest *= 2;
   }
   return evaluator.finish();
 }
 
 }  // namespace
 
-optimize::Backend levenberg() {
-  return {.name = "levenberg",
-          .description = "bounded Levenberg method",
+Backend gauss_newton() {
+  return {.name = "gauss-newton",
+          .description = "bounded Levenberg-Marquardt, supplied Hessian",
           .uses_hessian = true,
           .minimise = minimise};
 }
 
-}  // namespace tencer::sparsify
+}  // namespace tencer::optimize
