@@ -93,12 +93,6 @@ Error distance_from(Eigen::Matrix3Xd x, double size, int rod) {
   };
 }
 
-Error energy_error(const equilibrium::Structure& structure, double energy) {
-  return [structure, energy](const equilibrium::State& state) {
-    return std::abs(equilibrium::System(structure).energy(state) / energy - 1);
-  };
-}
-
 Row forward(const Forward& forward) {
   Row row = row_of(forward);
   const Deadline deadline;

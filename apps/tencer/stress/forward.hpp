@@ -29,8 +29,6 @@ using Error = std::function<double(const equilibrium::State&)>;
 // Largest distance of a vertex of rod `rod` from `x`, after the best rigid motion, relative to
 // `size`.
 Error distance_from(Eigen::Matrix3Xd x, double size, int rod = 0);
-// The energy, relative to the known one.
-Error energy_error(const equilibrium::Structure& structure, double energy);
 
 struct Forward {
   std::string name;

@@ -23,14 +23,12 @@ Forward ring(std::string name, int vertices, double slenderness, double promise)
   Eigen::Matrix3Xd start = polygon(vertices, 1.0);
   start.row(0) *= 1.2;
   start.row(1) *= 0.8;
-  const double turn = std::tan(pi / vertices);
-  const double energy = 2.0 * vertices * vertices * turn * turn;
   return {.name = std::move(name),
           .structure = structure,
           .start = {start},
-          .known = "energy of the regular polygon",
+          .known = "the regular polygon",
           .promise = promise,
-          .error = energy_error(structure, energy)};
+          .error = distance_from(polygon(vertices, 1.0), 1.0)};
 }
 
 Row stable(Row row) {
@@ -118,7 +116,7 @@ Group uneven_edges() {
 
 Group folds() {
   Group group{.title = "Nearly folded (the angle that two edges enclose)"};
-  for (int exponent : {-1, -2, -4, -6, -8}) {
+  for (int exponent : {-1, -2, -4, -6, -9}) {
     const double gap = std::pow(10.0, exponent);
     Forward released = released_fold(gap);
     released.name += ", " + power_of_ten(exponent);

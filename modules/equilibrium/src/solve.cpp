@@ -157,6 +157,10 @@ bool Newton::is_isolated() {
   Eigen::VectorXd motion;
   if (at_.negative > 0) {
     motion = at_.factor.negative_curvature();
+    // Rigid motion costs nothing, so what it seems to gain is rounding.
+    Eigen::VectorXd deformation = motion;
+    remove_rigid(at_.rigid, deformation);
+    if (deformation.norm() <= 1e-6 * motion.norm()) return false;
     return curvature_along(motion) < -curvature_rounding(at_.matrix.diagonal(), motion);
   }
   // A generic force moves the structure mostly along its softest motion. Twisting moments, which
