@@ -9,13 +9,9 @@
 #include <limits>
 #include <tencer/geometry/arc_length.hpp>
 
-namespace {
+#include "must.hpp"
 
-void must(bool holds) {
-  if (!holds) __builtin_trap();
-}
-
-}  // namespace
+using tencer::fuzz::must;
 
 // Input: one byte closed or open, a double s, then up to 64 doubles as edge lengths.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
