@@ -168,6 +168,17 @@ TEST_CASE("a folded vertex has infinite energy") {
   CHECK(std::isinf(energy(rod, make_state(rod, x))));
 }
 
+TEST_CASE("an edge without length has infinite energy") {
+  for (const auto& [name, rod] : rods_of_every_model(6)) {
+    CAPTURE(name);
+    for (int edge = 0; edge < rod.edges(); ++edge) {
+      Eigen::Matrix3Xd x = random_state(rod).x;
+      x.col((edge + 1) % 6) = x.col(edge);
+      CHECK(std::isinf(energy(rod, make_state(rod, x))));
+    }
+  }
+}
+
 TEST_CASE("the bending force on an edge is perpendicular to it also in a fold") {
   // What is left along an edge would be a force that stretches it.
   for (const double gap : {1e-2, 1e-5, 1e-8}) {

@@ -1,3 +1,4 @@
+#include <limits>
 #include <tencer/der/energy.hpp>
 
 #include "framed_rod.hpp"
@@ -44,8 +45,11 @@ double energy(const Rod& rod, const RodState& state) {
   const Section& s = rod.section;
   const TwistModel model = twist_model(rod);
   double sum = 0;
-  for (int j = 0; j < rod.edges(); ++j)
-    sum += stretch_energy<double>(s.EA, rod.rest_lengths[j], edge(rod, state.x, j));
+  for (int j = 0; j < rod.edges(); ++j) {
+    const Eigen::Vector3d e = edge(rod, state.x, j);
+    if (e.isZero(0)) return std::numeric_limits<double>::infinity();
+    sum += stretch_energy<double>(s.EA, rod.rest_lengths[j], e);
+  }
   if (model == TwistModel::per_edge) {
     for (int b = 0; b < rod.bending_vertices(); ++b)
       sum += framed_energy(vertex_law(rod, b), framed_vertex(rod, state, b));

@@ -16,7 +16,8 @@ int unknowns(const Rod& rod);
 // vertices (9 each, with uniform twist 10, with per-edge twist 11).
 std::vector<std::vector<int>> elements(const Rod& rod);
 
-// Stretching + bending + twisting energy at `state`; infinite where a vertex is folded flat.
+// Stretching + bending + twisting energy at `state`; infinite where a vertex is folded flat or an
+// edge has no length.
 double energy(const Rod& rod, const RodState& state);
 
 // Adds dE/d(unknowns) to `gradient`, of unknowns(rod) entries. With uniform twist the moment is at
