@@ -3,7 +3,6 @@
 #include <cmath>
 #include <tencer/sparsify/slide.hpp>
 #include <tencer/sparsify/sparsify.hpp>
-#include <tencer/sparsify/thin.hpp>
 
 #include "backends.hpp"
 #include "models.hpp"
@@ -115,50 +114,5 @@ TEST_CASE("Second derivatives, approximate or exact or none, lead to comparable 
       CHECK(result.sound);
       CHECK(distance(model, result.network) < 0.25 * distance(model, start));
     }
-  }
-}
-
-TEST_CASE("Thinning takes cables out one by one within the tolerance") {
-  const Model model = trefoil();
-  const Network start = decimated(model, 10.0);
-  const auto target = target_of(model, start);
-  for (const auto& backend : backends()) {
-    CAPTURE(backend.name);
-    const int wanted = cables(start) - 3;
-    const auto result =
-        thin(start, target, {}, backend, {.max_percent = 2.0, .cables = wanted, .outer = quick()});
-    CHECK(result.sound);
-    CHECK(cables(result.network) <= wanted);
-    CHECK(max_percent(model, result.network) <= 2.0);
-    for (std::size_t i = 1; i < result.trace.size(); ++i)
-      CHECK(result.trace[i].cables < result.trace[i - 1].cables);
-  }
-}
-
-TEST_CASE("Thinning keeps to the rules") {
-  const Model model = linked_ellipses();
-  const Rules rules{.pairs = std::vector<RodPair>{{0, 1}}};
-  const Network start = decimated(model, 3.0, rules);
-  const auto target = target_of(model, start);
-  for (const auto& backend : backends()) {
-    CAPTURE(backend.name);
-    const auto result = thin(start, target, rules, backend,
-                             {.max_percent = 2.0, .cables = cables(start) - 4, .outer = quick()});
-    CHECK(result.sound);
-    CHECK(max_percent(model, result.network) <= 2.0);
-    CHECK(cables(result.network) < cables(start));
-    for (const auto& cable : result.network.structure.cables)
-      CHECK(std::get<springs::OnRod>(cable.a).rod != std::get<springs::OnRod>(cable.b).rod);
-  }
-}
-
-TEST_CASE("Thinning a network that is too far from the target changes nothing") {
-  const Model model = trefoil();
-  const Network start = decimated(model, 10.0);
-  const auto target = target_of(model, start);
-  for (const auto& backend : backends()) {
-    const auto result = thin(start, target, {}, backend, {.max_percent = 1e-6, .outer = quick()});
-    CHECK(cables(result.network) == cables(start));
-    CHECK(result.trace.size() == 1);
   }
 }

@@ -136,7 +136,7 @@ void read_rod_pairs(const TomlTable& design, Scene& scene) {
 }
 
 void read_design(const TomlTable& design, Scene& scene) {
-  design.only({"method", "optimizer", "hessian", "max_error", "rod_pairs", "external",
+  design.only({"method", "optimizer", "hessian", "max_error", "cables", "objective", "symmetry", "rod_pairs", "external",
                "longest_cable", "weights", "forbidden_arcs", "forbidden_vertices",
                "sparsity_weights", "spring_stiffness", "greedy_threshold"});
   DesignSettings& settings = scene.design;
@@ -144,12 +144,15 @@ void read_design(const TomlTable& design, Scene& scene) {
                           std::string& value) {
     value = design.one_of(key, std::span(choices.begin(), choices.size())).value_or(value);
   };
-  choose("method", {"dense-springs"}, settings.method);
+  choose("method", {"force-balance", "dense-springs"}, settings.method);
+  choose("objective", {"max", "rms"}, settings.objective);
+  choose("symmetry", {"none", "detect"}, settings.symmetry);
   choose("optimizer", {"gauss-newton", "ipopt", "mma", "ccsaq"}, settings.optimizer);
   choose("hessian", {"limited-memory", "gauss-newton", "exact"}, settings.hessian);
   if (design.has("hessian"))
     if (const auto problem = hessian_problem(settings)) design.fail("hessian", *problem);
   settings.max_error = design.positive("max_error").value_or(settings.max_error);
+  settings.cables = design.integer("cables", 1);
   settings.longest_cable = design.positive("longest_cable");
   settings.spring_stiffness =
       design.positive("spring_stiffness").value_or(settings.spring_stiffness);

@@ -1,40 +1,18 @@
 #include <algorithm>
-#include <sstream>
 #include <tencer/equilibrium/built.hpp>
 #include <tencer/pipeline/design.hpp>
 #include <tencer/pipeline/prepare.hpp>
 #include <tencer/pipeline/simulate.hpp>
-#include <tencer/sparsify/decimate.hpp>
-#include <tencer/sparsify/dense.hpp>
-#include <tencer/sparsify/slide.hpp>
-#include <tencer/sparsify/sparsify.hpp>
-#include <tencer/sparsify/thin.hpp>
 #include <utility>
 
 #include "record.hpp"
+#include "route.hpp"
 
 namespace tencer::pipeline {
 namespace {
 
 void say(const DesignOptions& options, core::Level level, const std::string& text) {
   if (options.log) options.log(level, text);
-}
-
-sparsify::SecondDerivatives second_derivatives(const std::string& name) {
-  if (name == "exact") return sparsify::SecondDerivatives::exact;
-  if (name == "gauss-newton") return sparsify::SecondDerivatives::gauss_newton;
-  return sparsify::SecondDerivatives::none;
-}
-
-io::TraceRow trace_row(const sparsify::StageRow& row) {
-  return {.stage = row.stage,
-          .seconds = row.seconds,
-          .cables = row.cables,
-          .max_percent = row.max_percent,
-          .rms_percent = row.rms_percent,
-          .equilibrium_solves = row.solves,
-          .newton_iterations = row.iterations,
-          .note = row.note};
 }
 
 // What is wrong when there are no candidates: the error, with the key without whose rules there
@@ -60,37 +38,6 @@ std::string why_no_candidates(const io::Scene& scene, const Prepared& prepared,
   if (!error.where.empty()) return error.message;  // vertices coincide
   return "no cable is possible: the vertices are all neighbours on their rod, or held in place";
 }
-
-// The stages one after the other; ends early when one is interrupted, or leaves no cables: the rods
-// then rest without.
-class Route {
- public:
-  Route(const DesignOptions& options, sparsify::StageResult start)
-      : options_(options), result_(std::move(start)) {}
-
-  template <class Stage>
-  Route& then(Stage&& stage) {
-    if (result_.interrupted || result_.network.structure.cables.empty()) return *this;
-    sparsify::StageResult next = stage(result_.network);
-    for (const auto& row : next.trace) {
-      std::ostringstream line;
-      line << row.stage << ": " << row.cables << " cables, max error " << row.max_percent << " %, "
-           << row.seconds << " s" << (row.note.empty() ? "" : "; ") << row.note;
-      say(options_, core::Level::info, line.str());
-      trace_.push_back(trace_row(row));
-    }
-    result_ = std::move(next);
-    return *this;
-  }
-
-  const sparsify::StageResult& result() const { return result_; }
-  std::vector<io::TraceRow> take_trace() { return std::move(trace_); }
-
- private:
-  const DesignOptions& options_;
-  sparsify::StageResult result_;
-  std::vector<io::TraceRow> trace_;
-};
 
 // The design file with its cables; what depends on the equilibrium is missing.
 io::Design file_of(const Prepared& prepared, const sparsify::Network& network) {
@@ -125,13 +72,33 @@ io::TraceRow check_settling(io::Design& design) {
   return row;
 }
 
-}  // namespace
+// The design of a network: complete unless it falls short of what the settings ask for.
+io::Design certified(const io::DesignSettings& settings, const Prepared& prepared,
+                     const sparsify::Network& network) {
+  io::Design design = file_of(prepared, network);
+  record(network.structure, network.state, sparsify::cable_tensions(network), prepared.target,
+         prepared.units, design);
+  const io::TraceRow row = check_settling(design);
+  design.trace.push_back(row);
+  const bool close = settings.cables ? static_cast<int>(design.cables.size()) <= *settings.cables
+                                     : design.error->max_percent <= settings.max_error;
+  design.status = close && design.certificate->stable && *design.certificate->settles_from_target
+                      ? io::DesignStatus::complete
+                      : io::DesignStatus::tolerance_not_reached;
+  return design;
+}
 
-core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& options) {
+// The scene checked and ready, with all candidates, and the networks found.
+struct Run {
+  Prepared prepared{};
+  Outcome outcome{};
+};
+
+core::Expected<Run> run(const io::Scene& scene, bool every_number, const DesignOptions& options) {
   const io::DesignSettings& settings = scene.design;
   const auto backend = optimize::find_backend(options.backends, settings.optimizer);
   if (!backend) return core::Error{scene.source, "design.optimizer: " + backend.error().message};
-  const auto prepared = prepare(scene);
+  auto prepared = prepare(scene);
   if (!prepared) return prepared.error();
   for (const auto& sentence : prepared->left_out)
     say(options, core::Level::debug, "left out: " + sentence);
@@ -139,55 +106,57 @@ core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& o
       sparsify::candidates(prepared->structure, prepared->target.points, prepared->rules);
   if (!candidates)
     return core::Error{scene.source, why_no_candidates(scene, *prepared, candidates.error())};
+  Outcome outcome = run_route(settings, *prepared, *candidates, *backend, every_number, options);
+  return Run{std::move(*prepared), std::move(outcome)};
+}
 
-  const sensitivity::Target& target = prepared->target;
-  const sparsify::Control control{.stop = options.stop, .progress = options.progress};
-  const sparsify::OuterOptions outer{.second_derivatives = second_derivatives(settings.hessian)};
+}  // namespace
 
-  sparsify::StageResult start;
-  start.network.structure = prepared->structure;
-  start.network.structure.cables =
-      sparsify::dense_springs(prepared->structure, target.points, *candidates);
-  for (auto& cable : start.network.structure.cables)
-    cable.stiffness *= settings.spring_stiffness / 100;
-  start.network.state = prepared->start;
-
-  Route route(options, std::move(start));
-  route.then([&](const auto& network) { return sparsify::prune(network, target, control); })
-      .then([&](const auto& network) {
-        return sparsify::decimate(network, target, {.threshold = settings.greedy_threshold},
-                                  control);
-      })
-      .then([&](const auto& network) {
-        return sparsify::sparsify(network, target, *backend,
-                                  {.max_percent = settings.max_error,
-                                   .weights = settings.sparsity_weights,
-                                   .longest = prepared->rules.longest,
-                                   .outer = outer},
-                                  control);
-      })
-      .then([&](const auto& network) {
-        return sparsify::slide(network, target, prepared->rules, *backend, outer, control);
-      })
-      .then([&](const auto& network) {
-        return sparsify::thin(network, target, prepared->rules, *backend,
-                              {.max_percent = settings.max_error, .outer = outer}, control);
-      });
-
-  const sparsify::StageResult& result = route.result();
-  io::Design design = file_of(*prepared, result.network);
-  record(result.network.structure, result.network.state, sparsify::cable_tensions(result.network),
-         target, prepared->units, design);
-  design.trace = route.take_trace();
-  if (result.interrupted) {
+core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& options) {
+  auto found = run(scene, false, options);
+  if (!found) return found.error();
+  auto& [prepared, outcome] = *found;
+  const auto& asked = outcome.networks[outcome.asked];
+  if (outcome.interrupted) {
+    io::Design design = file_of(prepared, asked);
+    record(asked.structure, asked.state, sparsify::cable_tensions(asked), prepared.target,
+           prepared.units, design);
+    design.trace = std::move(outcome.trace);
     design.status = io::DesignStatus::interrupted;
     return design;
   }
-  design.trace.push_back(check_settling(design));
-  const bool reached = design.error->max_percent <= settings.max_error &&
-                       design.certificate->stable && *design.certificate->settles_from_target;
-  design.status = reached ? io::DesignStatus::complete : io::DesignStatus::tolerance_not_reached;
+  // A network that passes all the tests of the built form is better than one with fewer cables that
+  // does not.
+  constexpr int tried = 6;
+  io::Design design = certified(scene.design, prepared, asked);
+  std::vector<io::TraceRow> checks = design.trace;
+  const int step = scene.design.cables ? -1 : 1;
+  for (int i = outcome.asked + step, k = 1;
+       design.status != io::DesignStatus::complete && k < tried && i >= 0 &&
+       i < static_cast<int>(outcome.networks.size());
+       i += step, ++k) {
+    io::Design next = certified(scene.design, prepared, outcome.networks[i]);
+    checks.push_back(next.trace.back());
+    if (next.status == io::DesignStatus::complete) design = std::move(next);
+  }
+  design.trace = std::move(outcome.trace);
+  design.trace.insert(design.trace.end(), checks.begin(), checks.end());
   return design;
+}
+
+core::Expected<std::vector<io::Design>> trade_off(const io::Scene& scene,
+                                                  const DesignOptions& options) {
+  auto found = run(scene, true, options);
+  if (!found) return found.error();
+  auto& [prepared, outcome] = *found;
+  std::vector<io::Design> designs;
+  for (const auto& network : outcome.networks) {
+    io::Design design = certified(scene.design, prepared, network);
+    design.trace.insert(design.trace.begin(), outcome.trace.begin(), outcome.trace.end());
+    if (outcome.interrupted) design.status = io::DesignStatus::interrupted;
+    designs.push_back(std::move(design));
+  }
+  return designs;
 }
 
 }  // namespace tencer::pipeline

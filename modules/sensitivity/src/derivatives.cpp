@@ -26,6 +26,14 @@ Eigen::MatrixXd state_derivatives(const Configuration& at, std::span<const Param
   return solve(at, -Eigen::MatrixXd(force_derivatives(at.system, at.state, parameters)));
 }
 
+Eigen::MatrixXd state_derivatives(const Configuration& at, std::span<const Parameter> parameters,
+                                  const Eigen::SparseMatrix<double>& ties) {
+  core::require(ties.rows() == static_cast<Eigen::Index>(parameters.size()),
+                "state_derivatives: needs a row of ties for every parameter");
+  const ParameterJacobian rates = force_derivatives(at.system, at.state, parameters) * ties;
+  return solve(at, -Eigen::MatrixXd(rates));
+}
+
 LeastSquares least_squares(const Distance& distance, const Eigen::MatrixXd& state_derivatives) {
   return {.residual = distance.residual(), .jacobian = distance.residual_rates(state_derivatives)};
 }

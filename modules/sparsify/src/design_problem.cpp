@@ -73,7 +73,8 @@ bool DesignProblem::evaluate(const Eigen::VectorXd& p) {
   iterations_ += trial.equilibrium.iterations;
   if (!trial.usable()) return false;
   const auto& at = tracker_.trial();
-  if (!at.linearisation.regular || !stiffer_than(at, setup_.least_eigenvalue)) return false;
+  if (!at.linearisation.regular || !stiffer_than(at, setup_.least_eigenvalue, workspace_))
+    return false;
   const Network network{at.system.structure(), at.state};
   if (cable_lengths(network).maxCoeff() > setup_.longest * (1 + 1e-9)) return false;
   if (setup_.all_pull && !idle_cables(network).empty()) return false;

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <optional>
+#include <tencer/linalg/symmetric_factor.hpp>
 #include <tencer/optimize/options.hpp>
 #include <tencer/optimize/problem.hpp>
 #include <tencer/sensitivity/derivatives.hpp>
@@ -78,6 +79,7 @@ class DesignProblem {
   std::optional<sensitivity::Distance> distance_;  // there; none where it failed
   std::optional<Network> best_;
   double best_value_ = std::numeric_limits<double>::infinity();
+  linalg::SymmetricFactor workspace_;  // for the test of stiffness
   int solves_ = 0, iterations_ = 0;
 };
 

@@ -58,10 +58,13 @@ struct SceneRod {
 };
 
 struct DesignSettings {
-  std::string method = "dense-springs";
-  std::string optimizer = "gauss-newton";  // gauss-newton, ipopt, mma, ccsaq
-  std::string hessian = "gauss-newton";    // limited-memory, gauss-newton, exact
-  double max_error = 1.0;                  // percent of the bounding-box diagonal
+  std::string method = "force-balance";      // force-balance, dense-springs
+  std::string optimizer = "gauss-newton";    // gauss-newton, ipopt, mma, ccsaq
+  std::string hessian = "gauss-newton";      // limited-memory, gauss-newton, exact
+  double max_error = 1.0;                    // percent of the bounding-box diagonal
+  std::optional<int> cables = std::nullopt;  // the closest design with at most so many instead
+  std::string objective = "max";             // what is made small: max, rms (of the distances)
+  std::string symmetry = "none";             // none, detect: orbits of cables stay together
   // Cables only within these pairs of rods; [i, i] is within a rod. None: all pairs.
   std::optional<std::vector<std::array<int, 2>>> rod_pairs = std::nullopt;
   bool external = true;  // cables to the anchors, if there are any

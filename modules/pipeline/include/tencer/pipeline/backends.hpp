@@ -6,7 +6,8 @@
 
 namespace tencer::pipeline {
 
-// gauss-newton, then every adapter that was not left out when tencer was built; see optimize::find_backend.
+// gauss-newton, then every adapter that was not left out when tencer was built; see
+// optimize::find_backend.
 std::vector<optimize::Backend> backends();
 
 }  // namespace tencer::pipeline

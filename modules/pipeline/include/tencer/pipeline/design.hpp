@@ -1,4 +1,4 @@
-// From a scene to a certified network of cables, by the route of the paper (section 5).
+// From a scene to certified networks of cables.
 #pragma once
 
 #include <functional>
@@ -22,11 +22,19 @@ struct DesignOptions {
   core::Log log{};                                            // may be empty
 };
 
-// Dense springs, pruning, greedy decimation, sparsification, sliding, thinning; then the certificate of the
-// built form, with inextensible cables, and a check that it settles from the target into the
-// reported pose. A target in which the rods rest by themselves has a design without cables. Errors
-// name the scene's file and the key: an optimizer that is not in the build, rules that allow no
-// cable, a rod that crosses itself, anchors that do not enclose the target.
+// The scene's method: force balance at the target, or dense springs with pruning, greedy
+// decimation, sparsification and sliding; then thinning. Of the networks found the one the scene
+// asks for (design.cables, else the fewest cables within design.max_error) is certified in its
+// built form, with inextensible cables, and let go at the target, from where it has to settle into
+// the reported pose; when it fails, the next best are tried. A target in which the rods rest by
+// themselves has a design without cables. Errors name the scene's file and the key: an optimizer
+// that is not in the build, rules that allow no cable, a rod that crosses itself, anchors that do
+// not enclose the target.
 core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& options = {});
+
+// All numbers of cables on the way down in one run: certified designs, the fewest cables first,
+// each closer to the target than those with fewer. Never empty.
+core::Expected<std::vector<io::Design>> trade_off(const io::Scene& scene,
+                                                  const DesignOptions& options = {});
 
 }  // namespace tencer::pipeline

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Sparse>
 #include <span>
 #include <tencer/sensitivity/parameters.hpp>
 #include <tencer/sensitivity/target.hpp>
@@ -24,6 +25,9 @@ Eigen::VectorXd gradient(const Configuration& at, std::span<const Parameter> par
 
 // dx*/dp = -H^+ dg/dp, size x P, P solves.
 Eigen::MatrixXd state_derivatives(const Configuration& at, std::span<const Parameter> parameters);
+// dx*/dz for parameters p = p0 + ties z (ties: P x Z), size x Z, Z solves.
+Eigen::MatrixXd state_derivatives(const Configuration& at, std::span<const Parameter> parameters,
+                                  const Eigen::SparseMatrix<double>& ties);
 
 // T near the configuration as |residual + jacobian dp|^2, rigid motion projected out (see
 // Distance): gradient 2 J^T r, Gauss-Newton matrix 2 J^T J.

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tencer/core/error.hpp>
+#include <tencer/equilibrium/solve.hpp>
+#include <tencer/geometry/measure.hpp>
+#include <tencer/sparsify/balance.hpp>
+#include <utility>
+
+#include "soft_modes.hpp"
+#include "stage_clock.hpp"
+#include "target_balance.hpp"
+
+namespace tencer::sparsify {
+namespace {
+
+springs::Cable taut(const Pull& pull, double tension, double rho) {
+  springs::Cable cable = pull.cable;
+  cable.rest_length = rho * pull.length;
+  cable.stiffness = tension / (pull.length - cable.rest_length);
+  return cable;
+}
+
+// Adds, one at a time, the candidates that resist the network's softest motions most, until all are
+// clearly stable where the rods are; a network that stays unstable shows when it is solved for.
+void stabilise(Network& network, const std::vector<Pulls>& pulls, double tension, double rho,
+               const Control& control) {
+  constexpr int most = 40;
+  constexpr double margin = 5000;  // in the unit of eigenvalues: ten times a free straight rod's
+  equilibrium::Linearisation at;
+  for (int added = 0; added < most && !control.stop.stop_requested(); ++added) {
+    const equilibrium::System system(network.structure);
+    equilibrium::linearise(system, network.state, at);
+    linalg::SymmetricMatrix shifted = at.matrix;
+    const Eigen::VectorXd shift = margin * eigenvalue_unit(system) * lumped_mass(system);
+    for (int i = 0; i < shifted.cols(); ++i) shifted.coeffRef(i, i) -= shift[i];
+    linalg::SymmetricFactor factor;
+    if (!factor.factorise(shifted)) return;
+    if (factor.inertia().negative == system.saddle_unknowns()) return;
+    const Eigen::VectorXd motion = factor.negative_curvature();
+    if (motion.size() == 0) return;
+    const Pulls* best = nullptr;
+    double most_stretch = 0;
+    for (const Pulls& candidate : pulls) {
+      double squared = 0;
+      for (const Pull& pull : candidate) {
+        double stretch = 0;
+        for_each_unknown(system, pull,
+                         [&](int i, double weight) { stretch += weight * motion[i]; });
+        squared += stretch * stretch / static_cast<double>(candidate.size());
+      }
+      if (squared > most_stretch) {
+        most_stretch = squared;
+        best = &candidate;
+      }
+    }
+    if (!best) return;
+    for (const Pull& pull : *best) network.structure.cables.push_back(taut(pull, tension, rho));
+  }
+}
+
+// Cables that hardly stretch go slack when the rods settle a little off the target. Either their
+// rest lengths are set anew, for the tensions they had, or they are left out.
+enum class Slack { tightened, left_out };
+
+// The equilibrium found from the network's state; false: not all cables pull there.
+bool settle(Network& network, Slack slack, const Control& control, Effort& effort) {
+  constexpr int rounds = 5;
+  const equilibrium::State start = network.state;
+  Eigen::VectorXd tensions = cable_tensions(network);
+  equilibrium::SolveOptions solve = control.solve;
+  solve.stop = control.stop;
+  for (int round = 0; round < rounds; ++round) {
+    auto solved = equilibrium::solve(equilibrium::System(network.structure),
+                                     slack == Slack::tightened ? network.state : start, solve);
+    ++effort.solves;
+    effort.iterations += solved.iterations;
+    network.state = std::move(solved.state);
+    const auto idle = idle_cables(network);
+    if (!solved.usable() || idle.empty()) return solved.usable();
+    auto& cables = network.structure.cables;
+    if (slack == Slack::tightened) {
+      const Eigen::VectorXd lengths = cable_lengths(network);
+      for (Eigen::Index c = 0; c < lengths.size(); ++c)
+        cables[c].rest_length = lengths[c] - tensions[c] / cables[c].stiffness;
+    } else {
+      for (auto c = idle.rbegin(); c != idle.rend(); ++c) cables.erase(cables.begin() + *c);
+    }
+  }
+  return false;
+}
+
+// The network that balances the forces to `accuracy` (a length), settled by the treatment that ends
+// closest to the target; false: with none do all cables pull in equilibrium.
+bool settle_balanced(const Network& bare, const sensitivity::Target& target,
+                     const std::vector<Pulls>& pulls, double accuracy, double percent,
+                     const Control& control, Effort& effort, Network& best) {
+  const auto found =
+      balance_forces(equilibrium::System(bare.structure), bare.state, pulls, accuracy);
+  best = bare;
+  if (found.set.empty()) return true;
+  constexpr double gentle = 0.1;  // tension of further cables, of the typical one
+  // Which treatment is best differs from case to case, and all are quick.
+  struct Treatment {
+    double rho;  // rest length relative to length
+    Slack slack;
+  };
+  double closest = std::numeric_limits<double>::infinity();
+  for (const auto& [rho, slack] :
+       {Treatment{0.999, Slack::tightened}, Treatment{0.99, Slack::left_out},
+        Treatment{0.999, Slack::left_out}}) {
+    Network network = bare;
+    for (std::size_t i = 0; i < found.set.size(); ++i)
+      for (const Pull& pull : pulls[found.set[i]])
+        network.structure.cables.push_back(
+            taut(pull, found.values[static_cast<Eigen::Index>(i)], rho));
+    stabilise(network, pulls, gentle * found.values.mean(), rho, control);
+    const bool sound = settle(network, slack, control, effort);
+    const double reached = sensitivity::deviation(target, network.state).max_percent;
+    // A network that is not sound is better than none, for what is said of it.
+    if (best.structure.cables.empty() || (sound && reached < closest)) best = std::move(network);
+    if (sound) closest = std::min(closest, reached);
+    if (closest < 2 * percent) break;
+  }
+  return std::isfinite(closest);
+}
+
+}  // namespace
+
+StageResult balance(const Network& bare, const sensitivity::Target& target,
+                    std::span<const springs::Cable> candidates, const symmetry::Group* symmetry,
+                    const BalanceOptions& options, const Control& control) {
+  core::require(options.percent > 0, "BalanceOptions::percent must be positive");
+  core::require(bare.structure.cables.empty(), "balance: starts without cables");
+  StageClock clock("balance", control);
+  StageResult result{.network = bare};
+  const auto pulls =
+      pulls_at(equilibrium::System(bare.structure), bare.state, candidates, symmetry);
+  std::vector<geometry::Polyline> curves;
+  for (const auto& points : target.points) curves.push_back({.points = points});
+  const double diagonal = geometry::bounding_box_diagonal(curves);
+  // A finer balance has more cables, which hold better.
+  Effort effort;
+  for (const double finer : {1.0, 0.25, 0.05})
+    if (settle_balanced(bare, target, pulls, finer * options.percent / 100 * diagonal,
+                        options.percent, control, effort, result.network) ||
+        clock.stopped())
+      break;
+  clock.count(effort);
+  finish(result, target, clock);
+  return result;
+}
+
+}  // namespace tencer::sparsify

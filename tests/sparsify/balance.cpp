@@ -1,0 +1,86 @@
+#include <catch2/catch.hpp>
+#include <tencer/equilibrium/stability.hpp>
+#include <tencer/sparsify/balance.hpp>
+#include <tencer/symmetry/detect.hpp>
+#include <tencer/symmetry/tie.hpp>
+
+#include "models.hpp"
+
+using namespace tencer;
+using namespace tencer::sparsify;
+using namespace tencer::sparsify::test;
+
+namespace {
+
+Network bare_network(const Model& model) {
+  return {.structure = model.structure,
+          .state = equilibrium::make_state(model.structure, model.positions)};
+}
+
+symmetry::Group group_of(const Model& model) {
+  symmetry::Figure figure;
+  for (std::size_t r = 0; r < model.structure.rods.size(); ++r) {
+    const auto& rod = model.structure.rods[r];
+    figure.curves.push_back({.points = model.positions[r], .closed = rod.closed});
+    figure.rods.emplace_back(rod.rest_lengths, rod.closed);
+    figure.classes.push_back(0);
+  }
+  return symmetry::detect(figure).group;
+}
+
+}  // namespace
+
+TEST_CASE("Balance finds a stable network of pulling cables near the target") {
+  for (const Model& model : {trefoil(), linked_ellipses(), hung_helix()}) {
+    const Network bare = bare_network(model);
+    const auto list = candidates(model.structure, model.positions, {}).value();
+    sensitivity::Target target{.points = model.positions,
+                               .align = model.structure.anchors.cols() == 0};
+    const auto result = balance(bare, target, list, nullptr);
+    CHECK(result.sound);
+    CHECK(idle_cables(result.network).empty());
+    CHECK(sensitivity::deviation(target, result.network.state).max_percent < 0.5);
+    CHECK(
+        equilibrium::stability(equilibrium::System(result.network.structure), result.network.state)
+            .stable());
+  }
+}
+
+TEST_CASE("A finer balance uses more cables and is nearer") {
+  const Model model = trefoil();
+  const auto list = candidates(model.structure, model.positions, {}).value();
+  const sensitivity::Target target{.points = model.positions};
+  const auto coarse = balance(bare_network(model), target, list, nullptr, {.percent = 0.3});
+  const auto fine = balance(bare_network(model), target, list, nullptr, {.percent = 0.03});
+  CHECK(cables(fine.network) > cables(coarse.network));
+  CHECK(max_percent(model, fine.network) < max_percent(model, coarse.network));
+}
+
+TEST_CASE("Balance keeps orbits of cables together") {
+  const Model model = trefoil();
+  const symmetry::Group group = group_of(model);
+  REQUIRE(group.order() == 6);
+  const auto list = candidates(model.structure, model.positions, {}).value();
+  const sensitivity::Target target{.points = model.positions};
+  const auto result = balance(bare_network(model), target, list, &group);
+  REQUIRE(result.sound);
+  const auto& found = result.network.structure.cables;
+  CHECK(symmetry::complete(found, group).size() == found.size());
+  const auto ties = symmetry::tie_cables(found, group);
+  const Eigen::VectorXd lengths = cable_lengths(result.network);
+  std::vector<double> first(found.size(), 0.0);
+  for (std::size_t c = 0; c < found.size(); ++c) {
+    const int orbit = ties.orbit[c];
+    if (first[orbit] == 0) first[orbit] = lengths[static_cast<Eigen::Index>(c)];
+    CHECK(lengths[static_cast<Eigen::Index>(c)] == Approx(first[orbit]).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("Rods at rest in the target need no cables") {
+  Model model = make_model({geometry::Polyline{
+      .points = Eigen::RowVectorXd::LinSpaced(20, 0, 1).replicate(3, 1), .closed = false}});
+  const auto list = candidates(model.structure, model.positions, {}).value();
+  const sensitivity::Target target{.points = model.positions};
+  const auto result = balance(bare_network(model), target, list, nullptr);
+  CHECK(result.network.structure.cables.empty());
+}
