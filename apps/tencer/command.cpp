@@ -14,4 +14,13 @@ CLI::Validator positive_number() {
           "POSITIVE"};
 }
 
+CLI::Validator positive_integer() {
+  return {[](std::string& text) {
+            int value = 0;
+            const bool fine = CLI::detail::lexical_cast(text, value) && value > 0;
+            return fine ? std::string() : "expected a positive whole number, found " + text;
+          },
+          "POSITIVE INTEGER"};
+}
+
 }  // namespace tencer::app

@@ -22,6 +22,9 @@ using Command = std::function<core::Expected<ExitCode>(const core::Log&)>;
 // The check of an option that is a finite number above zero (CLI11's own lets NaN pass).
 CLI::Validator positive_number();
 
+// Likewise of a whole number.
+CLI::Validator positive_integer();
+
 void add_design(CLI::App& app, Command& chosen);
 void add_simulate(CLI::App& app, Command& chosen);
 void add_stress(CLI::App& app, Command& chosen);

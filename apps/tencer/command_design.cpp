@@ -8,6 +8,8 @@
 #include <tencer/io/file.hpp>
 #include <tencer/io/scene.hpp>
 #include <tencer/pipeline/design.hpp>
+#include <utility>
+#include <vector>
 
 #include "command.hpp"
 #include "design_files.hpp"
@@ -19,18 +21,30 @@ namespace {
 constexpr const char* examples = R"(Examples:
   tencer design curve.obj                    defaults; the result is in curve-design/
   tencer design scene.toml -o result         rods, sections, anchors and rules from a scene file
-  tencer design curve.obj --max-error 0.5 --optimizer mma
+  tencer design curve.obj --max-error 0.5    the fewest cables that come as close as that
+  tencer design curve.obj --cables 8         the closest design with at most 8 cables
+  tencer design curve.obj --trade-off        how close with how many cables: all of them, in a table
+  tencer design curve.obj --symmetry detect --objective rms
+  tencer design curve.obj --method dense-springs --optimizer mma
 
 INPUT is a scene (.toml, see docs/scene.md) or a curve (.obj, .csv, .xyz, .txt, .json). The folder
-gets design.json, trace.csv (error against run time), pose.obj, view.html and picture.svg. Ctrl-C
-ends early with the best design so far.)";
+gets design.json, trace.csv (error against run time), pose.obj, view.html and picture.svg. With
+--trade-off these are of the fewest cables within the max error (or of the closest design), and
+trade-off.csv and a folder for each number of cables, such as cables-8/, come to them. Options go
+before what the scene says; --max-error and --trade-off also before its number of cables. Ctrl-C ends
+early with the best design so far.)";
 
 struct DesignRequest {
   std::filesystem::path input;
   std::filesystem::path output;
+  std::optional<std::string> method;
   std::optional<std::string> optimizer;
   std::optional<std::string> hessian;
   std::optional<double> max_error;
+  std::optional<int> cables;
+  std::optional<std::string> objective;
+  std::optional<std::string> symmetry;
+  bool trade_off = false;
 };
 
 core::Expected<io::Scene> read_input(const std::filesystem::path& input) {
@@ -58,6 +72,10 @@ std::function<void(const sparsify::Progress&)> progress_lines(const core::Log& l
 
 // Options in place of the scene's keys.
 std::optional<core::Error> apply(const DesignRequest& request, io::DesignSettings& settings) {
+  if (request.trade_off && request.cables)
+    return core::Error{"--cables",
+                       "--trade-off designs every number of cables; drop --cables for "
+                       "all of them, or --trade-off for this one"};
   if (request.optimizer) {
     const auto known = optimize::find_backend(pipeline::backends(), *request.optimizer);
     if (!known) return core::Error{"--optimizer", known.error().message};
@@ -70,21 +88,60 @@ std::optional<core::Error> apply(const DesignRequest& request, io::DesignSetting
   } else if (request.optimizer && io::hessian_problem(settings)) {
     settings.hessian = io::DesignSettings{}.hessian;  // the scene's was for another optimizer
   }
+  if (request.method) settings.method = *request.method;
+  if ((request.optimizer || request.hessian) && settings.method != "dense-springs")
+    return core::Error{request.optimizer ? "--optimizer" : "--hessian",
+                       "is of no use to the method " + settings.method +
+                           "; drop it, or add --method dense-springs"};
+  // Else the scene's number of cables would decide.
+  if (request.max_error || request.trade_off) settings.cables.reset();
   if (request.max_error) settings.max_error = *request.max_error;
+  if (request.cables) settings.cables = *request.cables;
+  if (request.objective) settings.objective = *request.objective;
+  if (request.symmetry) settings.symmetry = *request.symmetry;
   return std::nullopt;
 }
 
 // Why a design that ran to its end is not complete.
-std::string shortfall(const io::Design& design, double max_error) {
+std::string shortfall(const io::Design& design, const io::DesignSettings& settings) {
   std::ostringstream text;
   text << "not complete:";
-  if (design.error->max_percent > max_error)
-    text << " the max error is above the " << max_error << " % asked for;";
+  if (settings.cables && static_cast<int>(design.cables.size()) > *settings.cables)
+    text << " it has more cables than the " << *settings.cables << " asked for;";
+  if (!settings.cables && design.error->max_percent > settings.max_error)
+    text << " the max error is above the " << settings.max_error << " % asked for;";
   if (!design.certificate->stable) text << " it does not stand;";
   if (!design.certificate->settles_from_target.value_or(true))
     text << " let go at the target it comes to rest elsewhere;";
   text << " design.json says so\n";
   return text.str();
+}
+
+// The design that answers what the settings ask for, out of those for all numbers of cables.
+const io::Design& asked(const std::vector<io::Design>& designs,
+                        const io::DesignSettings& settings) {
+  for (const auto& design : designs)
+    if (design.status == io::DesignStatus::complete) return design;
+  for (const auto& design : designs)
+    if (design.error->max_percent <= settings.max_error) return design;
+  return designs.back();
+}
+
+// Designs, writes and returns the one asked for.
+core::Expected<io::Design> make_design(const std::filesystem::path& folder, const io::Scene& scene,
+                                       bool all_numbers, const pipeline::DesignOptions& options) {
+  if (!all_numbers) {
+    auto design = pipeline::design(scene, options);
+    if (!design) return design.error();
+    if (const auto error = write_design_files(folder, *design)) return *error;
+    return std::move(*design);
+  }
+  const auto designs = pipeline::trade_off(scene, options);
+  if (!designs) return designs.error();
+  const io::Design& best = asked(*designs, scene.design);
+  if (const auto error = write_trade_off(folder, *designs, best)) return *error;
+  std::cout << trade_off_table(*designs);
+  return best;
 }
 
 core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Log& log) {
@@ -97,16 +154,16 @@ core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Lo
   if (const auto error = io::folder_problem(folder)) return *error;
 
   const Interrupt interrupt;
-  const auto design = pipeline::design(
-      *scene, {.stop = interrupt.token(), .progress = progress_lines(log), .log = log});
+  const auto design =
+      make_design(folder, *scene, request.trade_off,
+                  {.stop = interrupt.token(), .progress = progress_lines(log), .log = log});
   if (!design) return design.error();
 
-  if (const auto error = write_design_files(folder, *design)) return *error;
   std::cout << summary(*design);
   if (design->status == io::DesignStatus::interrupted)
     std::cout << "interrupted: this is the best design so far\n";
   else if (design->status == io::DesignStatus::tolerance_not_reached)
-    std::cout << shortfall(*design, scene->design.max_error);
+    std::cout << shortfall(*design, scene->design);
   else if (design->cables.empty())
     std::cout << "the rods rest in this shape by themselves\n";
   std::cout << "see " << (folder / "view.html").string() << '\n';
@@ -130,18 +187,38 @@ void add_design(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<DesignRequest>();
   command->add_option("INPUT", request->input, "Scene (.toml) or target curve")->required();
   command->add_option("-o,--output", request->output, "Folder for the result [INPUT-design]");
+  command
+      ->add_option("--max-error", request->max_error,
+                   "Largest distance to the target, % of its bounding-box diagonal [1]")
+      ->check(positive_number());
+  command
+      ->add_option("--cables", request->cables,
+                   "The closest design with at most so many, however far from the target")
+      ->check(positive_integer());
+  command->add_flag("--trade-off", request->trade_off,
+                    "Design every number of cables, and list how close each comes");
+  command
+      ->add_option("--objective", request->objective,
+                   "Which of the distances to the target is made small [the scene's, else " +
+                       io::DesignSettings{}.objective + "]")
+      ->check(CLI::IsMember({"max", "rms"}));
+  command
+      ->add_option("--symmetry", request->symmetry,
+                   "Whether the cables keep the target's symmetries [the scene's, else " +
+                       io::DesignSettings{}.symmetry + "]")
+      ->check(CLI::IsMember({"none", "detect"}));
+  command
+      ->add_option("--method", request->method,
+                   "The way to a network [the scene's, else " + io::DesignSettings{}.method + "]")
+      ->check(CLI::IsMember({"force-balance", "dense-springs"}));
   command->add_option("--optimizer", request->optimizer,
-                      "Outer optimizer: " + backend_names() + " [the scene's, else " +
-                          io::DesignSettings{}.optimizer + "]");
+                      "Outer optimizer of dense-springs: " + backend_names() +
+                          " [the scene's, else " + io::DesignSettings{}.optimizer + "]");
   command
       ->add_option("--hessian", request->hessian,
                    "What gauss-newton or ipopt is told of curvature [the scene's, else " +
                        io::DesignSettings{}.hessian + "]")
       ->check(CLI::IsMember({"limited-memory", "gauss-newton", "exact"}));
-  command
-      ->add_option("--max-error", request->max_error,
-                   "Largest distance to the target, % of its bounding-box diagonal [1]")
-      ->check(positive_number());
   command->callback([&chosen, request] {
     chosen = [request](const core::Log& log) { return run_design(*request, log); };
   });

@@ -2,6 +2,7 @@
 
 #include <iomanip>
 #include <sstream>
+#include <system_error>
 #include <tencer/io/curve.hpp>
 #include <tencer/io/file.hpp>
 #include <tencer/io/trace.hpp>
@@ -11,18 +12,107 @@
 #include "view_page.hpp"
 
 namespace tencer::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<io::NamedText> files_of(const io::Design& design) {
+  std::vector<geometry::Polyline> poses;
+  for (const auto& rod : design.rods) poses.push_back({rod.pose, rod.closed});
+  return {{"design.json", io::design_text(design)},
+          {"trace.csv", io::trace_text(design.trace)},
+          {"pose.obj", io::obj_text(poses)},
+          {"view.html", view_page(design)},
+          {"picture.svg", picture_svg(design)}};
+}
+
+std::string trade_off_csv(std::span<const io::Design> designs) {
+  std::ostringstream text;
+  text << std::setprecision(17) << std::boolalpha
+       << "cables,max_percent,rms_percent,smallest_eigenvalue,stands,settles\n";
+  for (const auto& design : designs)
+    text << design.cables.size() << ',' << design.error->max_percent << ','
+         << design.error->rms_percent << ',' << design.certificate->smallest_eigenvalue << ','
+         << design.certificate->stable << ',' << *design.certificate->settles_from_target << '\n';
+  return text.str();
+}
+
+// Folders that are not there yet: those of them that are made meanwhile are removed again, with the
+// files of a design in them, unless they are kept.
+class NewFolders {
+ public:
+  NewFolders() = default;
+  NewFolders(const NewFolders&) = delete;
+  NewFolders& operator=(const NewFolders&) = delete;
+  ~NewFolders() {
+    std::error_code ignored;
+    for (const auto& folder : designs_) fs::remove_all(folder, ignored);
+    for (auto above = above_.rbegin(); above != above_.rend(); ++above)
+      fs::remove(*above, ignored);  // when it is empty
+  }
+
+  void add_above(const fs::path& folder) {
+    std::error_code ignored;
+    fs::path part;
+    for (const fs::path& name : folder) {
+      part /= name;
+      if (!fs::exists(part, ignored)) above_.push_back(part);
+    }
+  }
+  void add_design(const fs::path& folder) {
+    std::error_code ignored;
+    if (!fs::exists(folder, ignored)) designs_.push_back(folder);
+  }
+  void keep() {
+    above_.clear();
+    designs_.clear();
+  }
+
+ private:
+  std::vector<fs::path> above_;
+  std::vector<fs::path> designs_;
+};
+
+}  // namespace
 
 std::optional<core::Error> write_design_files(const std::filesystem::path& folder,
                                               const io::Design& design) {
   if (auto error = io::design_problem(folder / "design.json", design)) return error;
-  std::vector<geometry::Polyline> poses;
-  for (const auto& rod : design.rods) poses.push_back({rod.pose, rod.closed});
-  const std::vector<io::NamedText> files{{"design.json", io::design_text(design)},
-                                         {"trace.csv", io::trace_text(design.trace)},
-                                         {"pose.obj", io::obj_text(poses)},
-                                         {"view.html", view_page(design)},
-                                         {"picture.svg", picture_svg(design)}};
-  return io::write_files(folder, files);
+  return io::write_files(folder, files_of(design));
+}
+
+std::optional<core::Error> write_trade_off(const std::filesystem::path& folder,
+                                           std::span<const io::Design> designs,
+                                           const io::Design& asked) {
+  const auto folder_of = [&](const io::Design& design) {
+    return folder / ("cables-" + std::to_string(design.cables.size()));
+  };
+  NewFolders made;
+  made.add_above(folder);
+  for (const auto& design : designs) {
+    if (auto error = io::folder_problem(folder_of(design))) return error;
+    made.add_design(folder_of(design));
+  }
+  for (const auto& design : designs)
+    if (auto error = write_design_files(folder_of(design), design)) return error;
+  std::vector<io::NamedText> files = files_of(asked);
+  files.push_back({"trade-off.csv", trade_off_csv(designs)});
+  if (auto error = io::write_files(folder, files)) return error;
+  made.keep();
+  return std::nullopt;
+}
+
+std::string trade_off_table(std::span<const io::Design> designs) {
+  std::ostringstream text;
+  text << std::setprecision(3) << "cables  max %     rms %     eigenvalue  stands  settles\n";
+  for (const auto& design : designs) {
+    const io::Certificate& certificate = *design.certificate;
+    text << std::left << std::setw(8) << design.cables.size() << std::setw(10)
+         << design.error->max_percent << std::setw(10) << design.error->rms_percent << std::setw(12)
+         << certificate.smallest_eigenvalue << std::setw(8) << (certificate.stable ? "yes" : "no")
+         << (*certificate.settles_from_target ? "yes" : "no") << '\n';
+  }
+  return text.str();
 }
 
 std::string summary(const io::Design& design) {

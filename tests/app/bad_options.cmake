@@ -29,6 +29,21 @@ if(MMA)
   refused("--hessian: " "belongs to the optimizer ipopt"
     design ring.obj -o out --optimizer mma --hessian exact)
 endif()
+foreach(value 0 -1 2.5 many 99999999999)
+  refused("--cables: " "expected a positive whole number, found ${value}"
+    design ring.obj -o out --cables ${value})
+endforeach()
+refused("--method: " "force-balance,dense-springs" design ring.obj -o out --method luck)
+refused("--objective: " "max,rms" design ring.obj -o out --objective mean)
+refused("--symmetry: " "none,detect" design ring.obj -o out --symmetry some)
+
+# Options that do not go together.
+refused("--cables: " "drop --cables" design ring.obj -o out --trade-off --cables 5)
+refused("--optimizer: " "add --method dense-springs"
+  design ring.obj -o out --optimizer gauss-newton)
+refused("--hessian: " "add --method dense-springs" design ring.obj -o out --hessian exact)
+refused("--hessian: " "is of no use to the method force-balance"
+  design ring.obj -o out --method force-balance --hessian exact)
 
 # Where the result cannot be written is found out before the work.
 refused("ring.obj: " "cannot be made a folder: ring.obj is a file" design ring.obj -o ring.obj)
