@@ -99,6 +99,10 @@ std::optional<core::Error> apply(const DesignRequest& request, io::DesignSetting
   if (request.cables) settings.cables = *request.cables;
   if (request.objective) settings.objective = *request.objective;
   if (request.symmetry) settings.symmetry = *request.symmetry;
+  if (request.symmetry == "detect" && settings.method != "force-balance")
+    return core::Error{"--symmetry", "networks of the method " + settings.method +
+                                         " do not keep symmetries; use none, or --method "
+                                         "force-balance"};
   return std::nullopt;
 }
 
@@ -120,10 +124,15 @@ std::string shortfall(const io::Design& design, const io::DesignSettings& settin
 // The design that answers what the settings ask for, out of those for all numbers of cables.
 const io::Design& asked(const std::vector<io::Design>& designs,
                         const io::DesignSettings& settings) {
+  const auto close = [&](const io::Design& design) {
+    return design.error->max_percent <= settings.max_error;
+  };
+  // Not by their status, which says of all of them when the run was interrupted.
   for (const auto& design : designs)
-    if (design.status == io::DesignStatus::complete) return design;
+    if (close(design) && design.certificate->stable && *design.certificate->settles_from_target)
+      return design;
   for (const auto& design : designs)
-    if (design.error->max_percent <= settings.max_error) return design;
+    if (close(design)) return design;
   return designs.back();
 }
 

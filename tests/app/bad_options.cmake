@@ -44,6 +44,8 @@ refused("--optimizer: " "add --method dense-springs"
 refused("--hessian: " "add --method dense-springs" design ring.obj -o out --hessian exact)
 refused("--hessian: " "is of no use to the method force-balance"
   design ring.obj -o out --method force-balance --hessian exact)
+refused("--symmetry: " "use none, or --method force-balance"
+  design ring.obj -o out --method dense-springs --symmetry detect)
 
 # Where the result cannot be written is found out before the work.
 refused("ring.obj: " "cannot be made a folder: ring.obj is a file" design ring.obj -o ring.obj)
