@@ -144,7 +144,8 @@ function(tencer_write_manifest list file)
   file(CONFIGURE OUTPUT "${file}" CONTENT "${text}" @ONLY)
 endfunction()
 
-# tencer_test(NAME [TARGET...]): tests/NAME/*.cpp as one Catch2 program that links module NAME, run
+# tencer_test(NAME [TARGET...]): tests/NAME/*.cpp as one Catch2 program that links module NAME, if
+# there is one, run
 # by one test a file. (Discovery of single cases by name loses cases whose names hold brackets.)
 function(tencer_test name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
@@ -152,7 +153,10 @@ function(tencer_test name)
     return()
   endif()
   add_executable(test_${name} ${sources})
-  target_link_libraries(test_${name} PRIVATE tencer::${name} tencer_test_main tencer_warnings ${ARGN})
+  target_link_libraries(test_${name} PRIVATE tencer_test_main tencer_warnings ${ARGN})
+  if(TARGET tencer::${name})
+    target_link_libraries(test_${name} PRIVATE tencer::${name})
+  endif()
   foreach(source IN LISTS sources)
     file(STRINGS ${source} cases REGEX "TEST_CASE|SCENARIO" LIMIT_COUNT 1)
     cmake_path(GET source STEM stem)

@@ -115,4 +115,19 @@ TEST_CASE("mixed second variations agree with differences") {
   }
 }
 
+TEST_CASE("without length and rest length a spring's force varies as k d does") {
+  const Variation variation{.span_1 = {0.3, 0.5, -0.2},
+                            .span_2 = {-0.6, 0.1, 0.4},
+                            .span_12 = {0.2, -0.3, 0.7},
+                            .stiffness_2 = 0.8};
+  for (const bool tension_only : {false, true}) {
+    const Cable cable = spring(0, tension_only);
+    const Response response = respond(cable, Eigen::Vector3d::Zero(), variation);
+    CHECK(response.force_1 == cable.stiffness * variation.span_1);
+    CHECK(response.force_2 == cable.stiffness * variation.span_2);
+    CHECK(response.force_12 == cable.stiffness * variation.span_12 + 0.8 * variation.span_1);
+    CHECK(response.by_stiffness_12 == variation.span_1.dot(variation.span_2));
+  }
+}
+
 }  // namespace tencer::springs

@@ -42,6 +42,14 @@ Response respond(const Cable& cable, const Eigen::Vector3d& d, const Variation& 
   Response response;
   const double r = d.norm();
   const double k = cable.stiffness;
+  if (r == 0 && cable.rest_length == 0) {
+    // The force is k d, without a direction that d would have to give.
+    response.force_1 = k * v.span_1;
+    response.force_2 = k * v.span_2;
+    response.force_12 = k * v.span_12 + v.stiffness_2 * v.span_1;
+    response.by_stiffness_12 = v.span_1.dot(v.span_2);
+    return response;
+  }
   if (!pulls_or_pushes(cable, r)) return response;
   const double stretch = r - cable.rest_length;
   const double r1 = d.dot(v.span_1) / r;

@@ -33,7 +33,8 @@ struct Variation {
 };
 
 // What the derivatives of the energy E do under a variation: first variations of force = dE/dd, and
-// mixed second ones of force, dE/dk and dE/dl.
+// mixed second ones of force, dE/dk and dE/dl. At d = 0 those of k |d|^2 / 2 where the rest length
+// is 0 and does not vary, otherwise zero.
 struct Response {
   Eigen::Vector3d force_1 = Eigen::Vector3d::Zero();
   Eigen::Vector3d force_2 = Eigen::Vector3d::Zero();
