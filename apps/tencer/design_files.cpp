@@ -38,7 +38,7 @@ std::string trade_off_csv(std::span<const io::Design> designs) {
 }
 
 // Folders that are not there yet: those of them that are made meanwhile are removed again, with the
-// files of a design in them, unless they are kept.
+// files of designs in them, unless they are kept.
 class NewFolders {
  public:
   NewFolders() = default;
@@ -88,7 +88,8 @@ std::optional<core::Error> write_trade_off(const std::filesystem::path& folder,
     return folder / ("cables-" + std::to_string(design.cables.size()));
   };
   NewFolders made;
-  made.add_above(folder);
+  made.add_above(folder.parent_path());
+  made.add_design(folder);
   for (const auto& design : designs) {
     if (auto error = io::folder_problem(folder_of(design))) return error;
     made.add_design(folder_of(design));
