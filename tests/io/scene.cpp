@@ -93,7 +93,7 @@ TEST_CASE("a scene of one line has defaults for all else") {
   CHECK(scene.anchors.cols() == 0);
   CHECK(scene.pinned.empty());
   CHECK_FALSE(scene.planar);
-  CHECK(scene.design.method == "dense-springs");
+  CHECK(scene.design.method == "force-balance");
   CHECK(scene.design.optimizer == "gauss-newton");
   CHECK(scene.design.hessian == "gauss-newton");
   CHECK(scene.design.max_error == 1.0);
@@ -408,7 +408,7 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
        "s.toml:4: design.max_error: expected a number, found \"1 %\""},
       {design + "max_error = true\n", "s.toml:4: design.max_error: expected a number, found true"},
       {design + "method = 'magic'\n",
-       "s.toml:4: design.method: expected one of dense-springs, found \"magic\""},
+       "s.toml:4: design.method: expected one of force-balance, dense-springs, found \"magic\""},
       {design + "optimizer = 'knitro'\n",
        "s.toml:4: design.optimizer: expected one of gauss-newton, ipopt, mma, ccsaq, found "
        "\"knitro\""},

@@ -25,13 +25,19 @@ TEST_CASE("a stop before the start") {
 }
 
 TEST_CASE("a stop in each stage") {
-  for (const std::string stage : {"prune", "greedy", "sparsify", "slide"}) {
-    CAPTURE(stage);
+  using Case = std::pair<std::string, std::string>;
+  for (const auto& [method, stage] :
+       {Case{"force-balance", "thin"}, Case{"dense-springs", "prune"},
+        Case{"dense-springs", "greedy"}, Case{"dense-springs", "sparsify"},
+        Case{"dense-springs", "slide"}, Case{"dense-springs", "thin"}}) {
+    CAPTURE(method, stage);
     std::stop_source stop;
-    const io::Design design = designed(
-        trefoil_scene(), {.stop = stop.get_token(), .progress = [&](const sparsify::Progress& at) {
-                            if (at.stage == stage) stop.request_stop();
-                          }});
+    io::Scene scene = trefoil_scene();
+    scene.design.method = method;
+    const io::Design design =
+        designed(scene, {.stop = stop.get_token(), .progress = [&](const sparsify::Progress& at) {
+                           if (at.stage == stage) stop.request_stop();
+                         }});
     check_interrupted(design);
     REQUIRE_FALSE(design.trace.empty());
     CHECK(design.trace.back().stage == stage);

@@ -98,7 +98,10 @@ bool settle_balanced(const Network& bare, const sensitivity::Target& target,
   const auto found =
       balance_forces(equilibrium::System(bare.structure), bare.state, pulls, accuracy);
   best = bare;
-  if (found.set.empty()) return true;
+  if (found.set.empty()) {  // the rods may hold the target by themselves
+    const bool holds = settle(best, Slack::tightened, control, effort);
+    return holds && sensitivity::deviation(target, best.state).max_percent < 2 * percent;
+  }
   constexpr double gentle = 0.1;  // tension of further cables, of the typical one
   // Which treatment is best differs from case to case, and all are quick.
   struct Treatment {

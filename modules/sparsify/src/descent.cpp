@@ -91,6 +91,7 @@ std::vector<Network> descend(Walker& walker, const DescentOptions& options) {
     walker.set(drive_at(walker, options));
     if (!remove_one(walker, options)) break;
     path.push_back(walker.network());
+    if (options.progress) options.progress(walker);
     if (walker.deviation().max_percent > hopeless * options.percent) break;
   }
   return path;

@@ -1,6 +1,7 @@
 // Fewer cables one by one, all others refitted after each.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "walker.hpp"
@@ -14,6 +15,7 @@ struct DescentOptions {
   double finest = 1.0;    // distances are measured in units of at least finest * percent
   int fewest = 1;         // ends with so many cables
   int tries = 4;          // of different cables before it gives up
+  std::function<void(const Walker&)> progress{};  // after each removal; may be empty
 };
 
 // The networks on the way from the walker's, the one with the fewest cables last; none of them is

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tencer/linalg/nonnegative.hpp>
 
 namespace tencer::sparsify {
@@ -89,6 +90,9 @@ Eigen::VectorXd Planner::step(const std::vector<int>& out, double part) const {
     start += response * factor.solve(-part * density - rates * start);
     inverse -= response * factor.solve(response.transpose());
   }
+  // Without a finite model there is no step; whoever takes it will see.
+  if (!start.allFinite() || !inverse.allFinite())
+    return Eigen::VectorXd::Constant(start.size(), std::numeric_limits<double>::quiet_NaN());
   // The bounds that matter are few: those that the step runs into, found in turns.
   constexpr int turns = 10;
   Eigen::VectorXd step = start;
@@ -105,8 +109,11 @@ Eigen::VectorXd Planner::step(const std::vector<int>& out, double part) const {
     const Eigen::MatrixXd rows = bounds_.rows(active, Eigen::all);
     const Eigen::MatrixXd response = inverse * rows.transpose();
     const Eigen::VectorXd missing = bounds_.least(active) - rows * start;
+    // Rounding may leave a bound that the orbits taken out fulfil already with less than nothing.
+    Eigen::MatrixXd compliance = rows * response;
+    compliance.diagonal() = compliance.diagonal().cwiseMax(0.0);
     const auto forces = linalg::solve_nonnegative(
-        rows * response, missing, {.tolerance = 1e-9 * missing.cwiseAbs().maxCoeff()});
+        compliance, missing, {.tolerance = 1e-9 * missing.cwiseAbs().maxCoeff()});
     step = start;
     for (std::size_t i = 0; i < forces.set.size(); ++i)
       step += forces.values[static_cast<Eigen::Index>(i)] * response.col(forces.set[i]);

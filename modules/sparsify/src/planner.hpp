@@ -43,7 +43,7 @@ class Planner {
   Eigen::VectorXd removal_costs() const;
 
   // The best step within the bounds, times `part`, that takes the force densities of the orbits
-  // `out` to zero, times `part`.
+  // `out` to zero, times `part`. Not finite when the model is not.
   Eigen::VectorXd step(const std::vector<int>& out, double part = 1.0) const;
 
   // How much one variable more would lower the objective, all others refitted, and its best value;

@@ -135,8 +135,7 @@ linalg::Nonnegative balance_forces(const equilibrium::System& bare, const equili
     return products;
   };
   const auto& rods = bare.structure().rods;
-  problem.enough = [&](std::span<const int> set, const Eigen::VectorXd& values) {
-    const Eigen::VectorXd rest = left_over(set, values);
+  const auto small = [&](const Eigen::VectorXd& rest) {
     for (int r = 0; r < static_cast<int>(rods.size()); ++r)
       for (int v = 0; v < rods[r].vertices(); ++v) {
         double squared = 0;
@@ -145,6 +144,10 @@ linalg::Nonnegative balance_forces(const equilibrium::System& bare, const equili
         if (squared > accuracy * accuracy) return false;
       }
     return true;
+  };
+  if (small(goal)) return {.converged = true};
+  problem.enough = [&](std::span<const int> set, const Eigen::VectorXd& values) {
+    return small(left_over(set, values));
   };
   Eigen::VectorXd slope;
   problem.slope({}, {}, slope);

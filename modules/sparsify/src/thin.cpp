@@ -42,11 +42,12 @@ void offer(Pool& pool, Choice choice) {
 class Thinning {
  public:
   Thinning(const Task& task, std::span<const springs::Cable> candidates, const ThinOptions& options,
-           const Control& control)
+           const Control& control, const StageClock& clock)
       : task_(task),
         candidates_(candidates),
         options_(options),
         control_(control),
+        clock_(clock),
         diagonal_(diagonal_of(task.target)) {}
 
   Effort effort() const { return effort_; }
@@ -63,11 +64,13 @@ class Thinning {
  private:
   Pool choose(const std::vector<Network>& path);
   void count(const Walker& walker);
+  void report(const Walker& walker);
 
   Task task_;
   std::span<const springs::Cable> candidates_;
   const ThinOptions& options_;
   const Control& control_;
+  const StageClock& clock_;
   double diagonal_;
   std::mutex mutex_;
   Effort effort_;
@@ -77,6 +80,11 @@ void Thinning::count(const Walker& walker) {
   const std::lock_guard lock(mutex_);
   effort_.solves += walker.solves();
   effort_.iterations += walker.iterations();
+}
+
+void Thinning::report(const Walker& walker) {
+  const std::lock_guard lock(mutex_);
+  clock_.report(walker.cables(), walker.deviation().max_percent);
 }
 
 std::optional<Choice> Thinning::fitted(const Network& network) {
@@ -112,7 +120,15 @@ std::optional<Choice> Thinning::fitted(const Network& network) {
 Pool Thinning::choose(const std::vector<Network>& path) {
   Pool pool;
   for (auto network = path.rbegin(); network != path.rend(); ++network) {
-    if (control_.stop.stop_requested()) break;
+    if (control_.stop.stop_requested()) {
+      // There is no time to fit: the first that is close enough as it is.
+      const auto deviation = sensitivity::deviation(task_.target, network->state);
+      if (deviation.max_percent > options_.max_percent) continue;
+      offer(pool, {.network = *network,
+                   .max_percent = deviation.max_percent,
+                   .rms_percent = deviation.rms_percent});
+      break;
+    }
     const int cables = static_cast<int>(network->structure.cables.size());
     if (options_.cables > 0 && !options_.every_number) {
       // Only the one with the most of those that have few enough.
@@ -137,7 +153,8 @@ Pool Thinning::descend_from(const Network& network, int fewest) {
                                  .diagonal = diagonal_,
                                  .softness = tempers[i].softness,
                                  .finest = tempers[i].finest,
-                                 .fewest = fewest};
+                                 .fewest = fewest,
+                                 .progress = [&](const Walker& at) { report(at); }};
     Walker walker(network, task_, {}, control_);
     if (!walker.usable()) return;
     const auto path = descend(walker, descent);
@@ -207,7 +224,7 @@ ThinResult thin(const Network& network, const sensitivity::Target& target, const
       .rules = rules,
       .symmetry = symmetry,
       .least_eigenvalue = std::min(options.least_eigenvalue, 0.2 * stiffest_eigenvalue(network))};
-  Thinning thinning(task, candidates, options, control);
+  Thinning thinning(task, candidates, options, control, clock);
   StageResult result{.network = network};
   const auto add_row = [&](const Pool& pool) {
     if (const Choice* best = answer(pool, options)) result.network = best->network;

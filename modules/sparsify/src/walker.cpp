@@ -164,6 +164,7 @@ Eigen::VectorXd Walker::removal_softness(const LocalModel& model) const {
 
 bool Walker::move(const LocalModel& model, const Eigen::VectorXd& step, const std::vector<int>& out,
                   double accepted) {
+  if (!step.allFinite()) return false;
   const auto& system = at_.system;
   const Eigen::VectorXd change = model.ties * step;
   auto cables = at_.cables();
