@@ -41,7 +41,8 @@ std::vector<Polyline> family_targets(const TomlTable& rod) {
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] = given->number(keys[i]).value_or(values[i]);
   }
-  const int vertices = rod.integer("vertices", fewest_vertices).value_or(family.vertices);
+  const int vertices =
+      rod.integer("vertices", fewest_vertices, geometry::most_vertices).value_or(family.vertices);
   if (const auto problem = geometry::family_problem(family, values, vertices))
     rod.fail(rod.has("parameters") ? "parameters" : "family", *problem);
   return geometry::family_curves(family, values, vertices);
@@ -53,7 +54,7 @@ std::vector<Polyline> file_targets(const TomlTable& rod, const std::filesystem::
   if (!std::filesystem::exists(file, ignored))
     rod.fail("curve", "there is no file " + file.string());
   std::vector<Polyline> curves = value_or_fail(read_curves(file));
-  if (const auto vertices = rod.integer("vertices", fewest_vertices))
+  if (const auto vertices = rod.integer("vertices", fewest_vertices, geometry::most_vertices))
     for (Polyline& curve : curves) curve = geometry::resample(curve, *vertices);
   return curves;
 }
@@ -68,7 +69,8 @@ std::vector<Polyline> spline_targets(const TomlTable& rod) {
   listed.name_of = [](int i) { return "point " + std::to_string(i); };
   const Eigen::Matrix3Xd points = *rod.points("spline");
   for (const auto& point : points.colwise()) listed.points.emplace_back(point);
-  const int vertices = rod.integer("vertices", fewest_vertices).value_or(standard_vertices);
+  const int vertices =
+      rod.integer("vertices", fewest_vertices, geometry::most_vertices).value_or(standard_vertices);
   return {geometry::sample_spline(finish_curve(listed), vertices)};
 }
 

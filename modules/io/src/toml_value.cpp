@@ -136,11 +136,13 @@ std::optional<double> TomlTable::at_least_zero(std::string_view key) const {
   return value;
 }
 
-std::optional<int> TomlTable::integer(std::string_view key, int least) const {
+std::optional<int> TomlTable::integer(std::string_view key, int least, int most) const {
   const toml::node* node = table_->get(key);
   if (!node) return std::nullopt;
   const int value = integer(*node, path_to(key));
   if (value < least) expected(*node, path_to(key), "a whole number from " + std::to_string(least));
+  if (value > most)
+    expected(*node, path_to(key), "a whole number of at most " + std::to_string(most));
   return value;
 }
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,7 +42,8 @@ class TomlTable {
   std::optional<double> number(std::string_view key) const;         // finite
   std::optional<double> positive(std::string_view key) const;       // finite, > 0
   std::optional<double> at_least_zero(std::string_view key) const;  // finite, >= 0
-  std::optional<int> integer(std::string_view key, int least) const;
+  std::optional<int> integer(std::string_view key, int least,
+                             int most = std::numeric_limits<int>::max()) const;
   std::optional<std::vector<double>> numbers(std::string_view key) const;
   std::optional<std::vector<int>> integers(std::string_view key) const;
   std::optional<Eigen::Vector3d> point(std::string_view key) const;

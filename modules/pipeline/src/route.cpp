@@ -142,7 +142,8 @@ Outcome run_route(const io::DesignSettings& settings, const Prepared& prepared,
     route
         .then([&](const auto& network) {
           return sparsify::balance(network, target, candidates, symmetry,
-                                   {.percent = std::min(0.1, settings.max_error / 2)}, control);
+                                   {.percent = std::clamp(settings.max_error / 2, 1e-3, 0.1)},
+                                   control);
         })
         .then(thin);
   }

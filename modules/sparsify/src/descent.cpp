@@ -13,8 +13,9 @@ namespace {
 constexpr double far = 20;  // objective beyond which an equilibrium has jumped
 
 Drive drive_at(const Walker& walker, const DescentOptions& options) {
+  const double wanted = std::max(options.percent, finest_percent);
   const double percent = std::clamp(2 * walker.deviation().rms_percent,
-                                    options.finest * options.percent, options.percent);
+                                    std::max(options.finest * wanted, finest_percent), wanted);
   return {.aim = {.unit = percent / 100 * options.diagonal}, .softness = options.softness};
 }
 

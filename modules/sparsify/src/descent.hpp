@@ -8,6 +8,9 @@
 
 namespace tencer::sparsify {
 
+// Distances below this, in % of the target's diagonal, are not told apart.
+inline constexpr double finest_percent = 1e-4;
+
 struct DescentOptions {
   double percent = 1.0;   // the largest distance from the target that is wanted in the end
   double diagonal = 1.0;  // of the target's bounding box

@@ -91,8 +91,9 @@ Eigen::VectorXd Planner::step(const std::vector<int>& out, double part) const {
     inverse -= response * factor.solve(response.transpose());
   }
   // Without a finite model there is no step; whoever takes it will see.
-  if (!start.allFinite() || !inverse.allFinite())
-    return Eigen::VectorXd::Constant(start.size(), std::numeric_limits<double>::quiet_NaN());
+  const Eigen::VectorXd nowhere =
+      Eigen::VectorXd::Constant(start.size(), std::numeric_limits<double>::quiet_NaN());
+  if (!start.allFinite() || !inverse.allFinite()) return nowhere;
   // The bounds that matter are few: those that the step runs into, found in turns.
   constexpr int turns = 10;
   Eigen::VectorXd step = start;
@@ -111,6 +112,7 @@ Eigen::VectorXd Planner::step(const std::vector<int>& out, double part) const {
     const Eigen::VectorXd missing = bounds_.least(active) - rows * start;
     // Rounding may leave a bound that the orbits taken out fulfil already with less than nothing.
     Eigen::MatrixXd compliance = rows * response;
+    if (!compliance.allFinite() || !missing.allFinite()) return nowhere;
     compliance.diagonal() = compliance.diagonal().cwiseMax(0.0);
     const auto forces = linalg::solve_nonnegative(
         compliance, missing, {.tolerance = 1e-9 * missing.cwiseAbs().maxCoeff()});

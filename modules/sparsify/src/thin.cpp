@@ -102,7 +102,7 @@ std::optional<Choice> Thinning::fitted(const Network& network) {
       return largest ? walker.deviation().max_percent : walker.deviation().rms_percent;
     };
     const double before = error();
-    walker.set({.aim = {.unit = std::max(before, 1e-9) / 100 * diagonal_,
+    walker.set({.aim = {.unit = std::max(before, finest_percent) / 100 * diagonal_,
                         .power = largest && round > 0 ? nearly_largest : 2.0},
                 .softness = softness});
     walker.refit(6, 0.03);
@@ -169,7 +169,8 @@ Pool Thinning::descend_from(const Network& network, int fewest) {
 
 std::optional<Choice> Thinning::swapped(const Choice& choice) {
   const int cables = static_cast<int>(choice.network.structure.cables.size());
-  const Drive drive{.aim = {.unit = choice.max_percent / 100 * diagonal_}, .softness = 0.05};
+  const Drive drive{.aim = {.unit = std::max(choice.max_percent, finest_percent) / 100 * diagonal_},
+                    .softness = 0.05};
   Walker walker(choice.network, task_, drive, control_);
   if (!walker.usable()) return std::nullopt;
   const auto more = best_offer(walker, task_.target, task_.rules, candidates_);
