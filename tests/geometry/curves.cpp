@@ -186,6 +186,7 @@ TEST_CASE("unusable family parameters are named") {
   CHECK(problem("circle", {0}) == "radius must be a positive number");
   CHECK(problem("circle", {std::nan("")}) == "radius must be a positive number");
   CHECK(problem("circle", {1}, 2) == "vertices must be at least 3");
+  CHECK(problem("circle", {1}, 1000001) == "vertices must be at most 1000000");
   CHECK(problem("torus-knot", {2.5, 3, 2, 1}) == "p must be a whole number from 1 to 1000");
   CHECK(problem("torus-knot", {4, 2, 2, 1}) ==
         "p and q must have no common divisor, or the curve is traced several times");
