@@ -1,5 +1,7 @@
-// Designs for the published models, by the pipeline and with every optimizer of the build, beside the
-// published figures. Usage: bench_design FOLDER [MODEL...]
+// Designs for the published models beside the published figures: by force balance with the published
+// max error, with the published number of cables and with two thirds of both; with `dense-springs`
+// as second argument by the paper's route and every optimizer of the build.
+// Usage: bench_design FOLDER [dense-springs] [MODEL...]
 #include "published_model.hpp"
 
 #include <tencer/geometry/polyline.hpp>
@@ -9,6 +11,7 @@
 #include <chrono>
 #include <cstdio>
 #include <set>
+#include <string>
 
 using namespace tencer;
 
@@ -63,38 +66,53 @@ std::string stage_seconds(const io::Design& design) {
   return text;
 }
 
+// Designs one scene and prints a line of the table.
+void print_design(const bench::PublishedModel& model, const io::Scene& scene,
+                  const char* question) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto design = pipeline::design(scene);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (!design) {
+    std::printf("%-21s %-12s %s\n", model.name.c_str(), question, design.error().text().c_str());
+    return;
+  }
+  std::printf("%-21s %-12s %6zu %6d %8.3f %8.3f %7s %9.3g %7s %9.2f  %s\n", model.name.c_str(),
+              question, design->cables.size(), model.cables, design->error->max_percent,
+              model.max_error_percent, design->certificate->stable ? "yes" : "no",
+              design->certificate->smallest_eigenvalue,
+              design->certificate->settles_from_target.value_or(false) ? "yes" : "no", seconds,
+              stage_seconds(*design).c_str());
+  std::fflush(stdout);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fprintf(stderr, "usage: bench_design FOLDER [MODEL...]\n");
+    std::fprintf(stderr, "usage: bench_design FOLDER [dense-springs] [MODEL...]\n");
     return 2;
   }
-  const std::set<std::string> wanted(argv + 2, argv + argc);
-  std::printf("%-21s %-9s %6s %6s %8s %8s %7s %9s %7s %9s  %s\n", "model", "optimizer", "cables",
+  const bool dense = argc > 2 && std::string(argv[2]) == "dense-springs";
+  const std::set<std::string> wanted(argv + (dense ? 3 : 2), argv + argc);
+  std::printf("%-21s %-12s %6s %6s %8s %8s %7s %9s %7s %9s  %s\n", "model", "asked for", "cables",
               "publ.", "max %", "publ.", "stands", "lambda", "settles", "seconds", "by stage");
   for (const auto& model : bench::read_published_models(argv[1])) {
     if (!wanted.empty() && !wanted.contains(model.name)) continue;
-    for (const auto& backend : pipeline::backends()) {
-      io::Scene scene = scene_of(model);
-      scene.design.optimizer = backend.name;
-      const auto begin = std::chrono::steady_clock::now();
-      const auto design = pipeline::design(scene);
-      const double seconds =
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      if (!design) {
-        std::printf("%-21s %-9s %s\n", model.name.c_str(), backend.name.c_str(),
-                    design.error().text().c_str());
-        continue;
+    io::Scene scene = scene_of(model);
+    if (dense) {
+      scene.design.method = "dense-springs";
+      for (const auto& backend : pipeline::backends()) {
+        scene.design.optimizer = backend.name;
+        print_design(model, scene, backend.name.c_str());
       }
-      std::printf("%-21s %-9s %6zu %6d %8.3f %8.3f %7s %9.3g %7s %9.2f  %s\n", model.name.c_str(),
-                  backend.name.c_str(), design->cables.size(), model.cables,
-                  design->error->max_percent, model.max_error_percent,
-                  design->certificate->stable ? "yes" : "no",
-                  design->certificate->smallest_eigenvalue,
-                  design->certificate->settles_from_target.value_or(false) ? "yes" : "no", seconds,
-                  stage_seconds(*design).c_str());
-      std::fflush(stdout);
+      continue;
     }
+    print_design(model, scene, "max error");
+    scene.design.cables = model.cables;
+    print_design(model, scene, "cables");
+    scene.design.cables = 2 * model.cables / 3;
+    scene.design.max_error = model.max_error_percent * 2 / 3;
+    print_design(model, scene, "two thirds");
   }
 }
