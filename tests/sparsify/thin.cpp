@@ -116,3 +116,11 @@ TEST_CASE("A network that cannot be brought within the tolerance is told by its 
   CHECK(result.stage.sound);
   CHECK(sensitivity::deviation(start.target, result.stage.network.state).max_percent > 1e-7);
 }
+
+TEST_CASE("A number of cables that cannot be reached leaves the fewest there are") {
+  const Start start = balanced(trefoil(40));
+  const auto result = thin(start.network, start.target, {}, start.candidates, nullptr,
+                           {.max_percent = 0.01, .cables = 1});
+  CHECK(result.stage.sound);
+  CHECK(cables(result.stage.network) < 10);
+}

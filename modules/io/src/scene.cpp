@@ -136,9 +136,9 @@ void read_rod_pairs(const TomlTable& design, Scene& scene) {
 }
 
 void read_design(const TomlTable& design, Scene& scene) {
-  design.only({"method", "optimizer", "hessian", "max_error", "cables", "objective", "symmetry", "rod_pairs", "external",
-               "longest_cable", "weights", "forbidden_arcs", "forbidden_vertices",
-               "sparsity_weights", "spring_stiffness", "greedy_threshold"});
+  design.only({"method", "optimizer", "hessian", "max_error", "cables", "objective", "symmetry",
+               "rod_pairs", "external", "longest_cable", "weights", "forbidden_arcs",
+               "forbidden_vertices", "sparsity_weights", "spring_stiffness", "greedy_threshold"});
   DesignSettings& settings = scene.design;
   const auto choose = [&](std::string_view key, std::initializer_list<std::string_view> choices,
                           std::string& value) {

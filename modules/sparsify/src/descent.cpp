@@ -83,7 +83,6 @@ bool remove_one(Walker& walker, const DescentOptions& options) {
 }  // namespace
 
 std::vector<Network> descend(Walker& walker, const DescentOptions& options) {
-  constexpr double hopeless = 4;  // times the distance wanted
   std::vector<Network> path;
   walker.set(drive_at(walker, options));
   walker.refit(3);
@@ -93,7 +92,7 @@ std::vector<Network> descend(Walker& walker, const DescentOptions& options) {
     if (!remove_one(walker, options)) break;
     path.push_back(walker.network());
     if (options.progress) options.progress(walker);
-    if (walker.deviation().max_percent > hopeless * options.percent) break;
+    if (walker.deviation().max_percent > options.hopeless * options.percent) break;
   }
   return path;
 }

@@ -18,6 +18,7 @@ struct DescentOptions {
   double finest = 1.0;    // distances are measured in units of at least finest * percent
   int fewest = 1;         // ends with so many cables
   int tries = 4;          // of different cables before it gives up
+  double hopeless = 4.0;  // ends further from the target than this times `percent`
   std::function<void(const Walker&)> progress{};  // after each removal; may be empty
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -131,9 +132,9 @@ Pool Thinning::choose(const std::vector<Network>& path) {
     }
     const int cables = static_cast<int>(network->structure.cables.size());
     if (options_.cables > 0 && !options_.every_number) {
-      // Only the one with the most of those that have few enough.
+      // The one with the most of those that have few enough; when none has, the last.
       const auto more = std::next(network);
-      if (cables > options_.cables) break;
+      if (cables > options_.cables && network != path.rbegin()) break;
       if (more != path.rend() && static_cast<int>(more->structure.cables.size()) <= options_.cables)
         continue;
     }
@@ -141,7 +142,7 @@ Pool Thinning::choose(const std::vector<Network>& path) {
     if (!choice) continue;
     const bool close = choice->max_percent <= options_.max_percent;
     offer(pool, std::move(*choice));
-    if (!options_.every_number && (options_.cables > 0 ? cables <= options_.cables : close)) break;
+    if (!options_.every_number && (options_.cables > 0 || close)) break;
   }
   return pool;
 }
@@ -149,12 +150,17 @@ Pool Thinning::choose(const std::vector<Network>& path) {
 Pool Thinning::descend_from(const Network& network, int fewest) {
   std::vector<Pool> pools(descents);
   in_parallel(descents, options_.threads, [&](int i) {
-    const DescentOptions descent{.percent = options_.max_percent,
-                                 .diagonal = diagonal_,
-                                 .softness = tempers[i].softness,
-                                 .finest = tempers[i].finest,
-                                 .fewest = fewest,
-                                 .progress = [&](const Walker& at) { report(at); }};
+    // With a number of cables given, distances only steer.
+    constexpr double least_percent = 0.25;
+    const bool by_number = options_.cables > 0;
+    const DescentOptions descent{
+        .percent = by_number ? std::max(options_.max_percent, least_percent) : options_.max_percent,
+        .diagonal = diagonal_,
+        .softness = tempers[i].softness,
+        .finest = tempers[i].finest,
+        .fewest = fewest,
+        .hopeless = by_number ? std::numeric_limits<double>::infinity() : DescentOptions{}.hopeless,
+        .progress = [&](const Walker& at) { report(at); }};
     Walker walker(network, task_, {}, control_);
     if (!walker.usable()) return;
     const auto path = descend(walker, descent);
@@ -196,11 +202,12 @@ std::optional<Choice> Thinning::swapped(const Choice& choice) {
   return std::nullopt;
 }
 
+// What is asked for, or what comes nearest to it.
 const Choice* answer(const Pool& pool, const ThinOptions& options) {
   const Choice* best = nullptr;
   for (const auto& [cables, choice] : pool) {
     if (options.cables == 0 && choice.max_percent <= options.max_percent) return &choice;
-    if (options.cables > 0 && cables > options.cables) break;
+    if (options.cables > 0 && cables > options.cables && best) break;
     if (!best || choice.max_percent < best->max_percent) best = &choice;
   }
   return best;
