@@ -93,7 +93,8 @@ inline Posed reversed(const Posed& a) {
 inline std::vector<int> order_of_rods(const Posed& a) {
   std::vector<int> order(a.x.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::rotate(order, order.begin() + whole(0, static_cast<int>(order.size()) - 1));
+  std::rotate(order.begin(), order.begin() + whole(0, static_cast<int>(order.size()) - 1),
+              order.end());
   if (coin()) std::ranges::reverse(order);
   return order;
 }
