@@ -9,7 +9,6 @@
 namespace tencer::sparsify {
 namespace {
 
-constexpr double rho = 0.999;          // rest length of a new cable relative to its length
 constexpr std::size_t looked_at = 40;  // candidates whose gain is worked out in full
 
 struct Rated {
@@ -64,7 +63,7 @@ Network with_cable(Network network, springs::Cable cable, double tension) {
   const double length =
       equilibrium::span_of(springs::stencil(cable, along, network.structure.anchors), network.state)
           .norm();
-  cable.rest_length = rho * length;
+  cable.rest_length = taut * length;
   cable.stiffness = tension / (length - cable.rest_length);
   network.structure.cables.push_back(cable);
   return network;

@@ -11,8 +11,6 @@
 namespace tencer::sparsify {
 namespace {
 
-// Cables as good as inextensible: they hold what Newton's method would otherwise chase.
-constexpr double rho = 0.999;
 // What a variable's change by an edge costs, in units of the objective; refit() adapts it.
 constexpr double least_damping = 3e-4;
 constexpr double most_damping = 1e3;
@@ -186,8 +184,8 @@ bool Walker::move(const LocalModel& model, const Eigen::VectorXd& step, const st
       const auto stencil =
           springs::stencil(cables[c], system.arc_lengths(), system.structure().anchors);
       const double q = density[static_cast<Eigen::Index>(o)];
-      cables[c].rest_length = rho * equilibrium::span_of(stencil, predicted).norm();
-      cables[c].stiffness = q / (1 - rho);
+      cables[c].rest_length = taut * equilibrium::span_of(stencil, predicted).norm();
+      cables[c].stiffness = q / (1 - taut);
     }
   for (std::size_t c = 0; c < cables.size(); ++c)
     if (!gone[c]) left.push_back(cables[c]);

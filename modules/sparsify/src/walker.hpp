@@ -13,6 +13,10 @@
 
 namespace tencer::sparsify {
 
+// Rest length relative to length of cables that are as good as inextensible: they hold what
+// Newton's method would otherwise chase.
+inline constexpr double taut = 0.999;
+
 // What networks are made for; refers to the caller's objects.
 struct Task {
   const sensitivity::Target& target;

@@ -42,8 +42,7 @@ struct Prepared {
 };
 
 // Errors name the scene's file or the curve a rod came from: a rod whose vertices meet, an anchor
-// on a rod,
-// loads that nothing holds.
+// on a rod, loads that nothing holds.
 core::Expected<Prepared> prepare(const io::Scene& scene);
 
 }  // namespace tencer::pipeline
