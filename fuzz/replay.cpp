@@ -15,6 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 int main(int argc, char** argv) {
   int tried = 0;
   for (int i = 1; i < argc; ++i) {
+    // A folder of findings goes when it is empty.
+    if (!std::filesystem::exists(argv[i])) continue;
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(argv[i]))
       files.push_back(entry.path());
