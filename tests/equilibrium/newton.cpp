@@ -138,6 +138,9 @@ TEST_CASE("a solve that cannot go on says why and keeps its best state") {
   const System system(structure);
   const Equilibrium limited = solve(system, linked_state(structure), {.max_iterations = 1});
   CHECK(limited.reason == Reason::iteration_limit);
+  const Equilibrium strayed = solve(system, linked_state(structure), {.farthest = 0.01});
+  CHECK(strayed.reason == Reason::strayed);
+  CHECK(strayed.iterations < 2);
   CHECK_FALSE(limited.usable());
   CHECK(limited.state.size() == 2);
 

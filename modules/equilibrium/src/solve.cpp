@@ -168,8 +168,6 @@ bool Newton::is_isolated() {
   Eigen::VectorXd force(system_.size());
   for (int i = 0; i < force.size(); ++i) force[i] = std::sin(1.0 + i + 0.1 * i * i);
   force = (softest_stiffness(system_).array() > 0).select(force, 0);
-  // None on twisting moments, which are stationary maxima.
-  force = (softest_stiffness(system_).array() > 0).select(force, 0.0);
   remove_rigid(at_.rigid, force);
   at_.factor.solve(force, motion);
   remove_rigid(at_.rigid, motion);
@@ -242,6 +240,7 @@ void Newton::run(State start) {
   double reference_slope = 0;
   double rounding = 0;  // of its energy
   int waited = 0;
+  double turned = 0;
   for (;; ++result_.iterations) {
     const bool balance = balanced(now);
     if (balance) {
@@ -260,7 +259,11 @@ void Newton::run(State start) {
     Eigen::VectorXd step;
     at_.factor.solve(-now.gradient, step);
     const double slope = now.gradient.dot(step);
-    step *= std::min(1.0, options_.max_rotation / largest_rotation(system_, now.state, step));
+    const double turn = largest_rotation(system_, now.state, step);
+    const double length = std::min(1.0, options_.max_rotation / turn);
+    turned += length * turn;
+    if (turned > options_.farthest) return finish(std::move(now), Reason::strayed);
+    step *= length;
     const double now_residual = now.residual;
     Point next = step_from(now, step);
     if (waited == 0) {
@@ -326,6 +329,8 @@ std::string describe(Reason reason) {
       return "forces balance as far as rounding allows, but it leaves the shape uncertain";
     case Reason::iteration_limit:
       return "the iteration limit was reached";
+    case Reason::strayed:
+      return "the way from the start became longer than was allowed";
     case Reason::no_descent:
       return "no step lowers the energy, although forces are not in balance";
     case Reason::not_held:

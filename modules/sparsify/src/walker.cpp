@@ -19,6 +19,7 @@ constexpr double kept_density = 0.2;    // part of a force density that a step l
 constexpr double clearly_stiffer = 10;  // than the least eigenvalue: no need to factorise again
 constexpr double tolerance = 1e-9;      // of equilibria on the way
 constexpr int most_iterations = 12;     // good steps take 3 to 8
+constexpr double farthest = 0.3;        // and seldom turn an edge by as much, in radians
 
 double edge_of(const equilibrium::Structure& structure, int rod) {
   return structure.rods[rod].rest_lengths.mean();
@@ -37,7 +38,7 @@ Walker::Walker(const Network& network, const Task& task, const Drive& drive, con
 
 bool Walker::restart(const Network& network) {
   trial_.system.set_cables(network.structure.cables);
-  usable_ = settle(network.state, {}, equilibrium::SolveOptions{}.max_iterations);
+  usable_ = settle(network.state, {}, {.tolerance = tolerance, .stop = control_.stop});
   if (usable_) accept();
   return usable_;
 }
@@ -54,12 +55,10 @@ double Walker::objective(const Eigen::VectorXd& residual, const SoftModes& soft)
 }
 
 // Solves for the trial's equilibrium and judges it.
-bool Walker::settle(equilibrium::State start, const SoftModes& nearby, int iterations) {
+bool Walker::settle(equilibrium::State start, const SoftModes& nearby,
+                    const equilibrium::SolveOptions& options) {
   trial_.linearisation.matrix = trial_.system.pattern();
-  auto solved = equilibrium::solve(
-      trial_.system, std::move(start),
-      {.tolerance = tolerance, .max_iterations = iterations, .stop = control_.stop},
-      trial_.linearisation);
+  auto solved = equilibrium::solve(trial_.system, std::move(start), options, trial_.linearisation);
   ++solves_;
   iterations_ += solved.iterations;
   if (!solved.usable()) return false;
@@ -190,8 +189,12 @@ bool Walker::move(const LocalModel& model, const Eigen::VectorXd& step, const st
   for (std::size_t c = 0; c < cables.size(); ++c)
     if (!gone[c]) left.push_back(cables[c]);
   trial_.system.set_cables(std::move(left));
-  if (!settle(std::move(predicted), soft_, most_iterations) || !(trial_value_ < accepted))
-    return false;
+  const bool settled = settle(std::move(predicted), soft_,
+                              {.tolerance = tolerance,
+                               .max_iterations = most_iterations,
+                               .farthest = farthest,
+                               .stop = control_.stop});
+  if (!settled || !(trial_value_ < accepted)) return false;
   accept();
   return true;
 }

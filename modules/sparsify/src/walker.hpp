@@ -69,7 +69,8 @@ class Walker {
   bool stopped() const { return control_.stop.stop_requested(); }
 
  private:
-  bool settle(equilibrium::State start, const SoftModes& nearby, int most_iterations);
+  bool settle(equilibrium::State start, const SoftModes& nearby,
+              const equilibrium::SolveOptions& options);
   void accept();
   double objective(const Eigen::VectorXd& residual, const SoftModes& soft) const;
   Squares softness_terms(const LocalModel& model) const;

@@ -2,6 +2,7 @@
 // "Equilibrium conditions").
 #pragma once
 
+#include <limits>
 #include <stop_token>
 #include <string>
 #include <tencer/equilibrium/rigid_modes.hpp>
@@ -33,6 +34,9 @@ struct SolveOptions {
   int max_iterations = 500;   // steps of Newton's method
   double max_rotation = 0.2;  // largest change of an edge in one step, relative to its length
   int patience = 24;          // steps that may pass without a lower energy before a line search
+  // Ends when the largest turns of an edge, added up over the steps, exceed this (in radians,
+  // about): for those who look for an equilibrium near the start, or none.
+  double farthest = std::numeric_limits<double>::infinity();
   std::stop_token stop{};
 };
 
@@ -45,6 +49,7 @@ enum class Reason {
   uncertain,  // forces in balance as far as rounding allows, which leaves edges free to turn by
               // more than 1e-6
   iteration_limit,
+  strayed,     // SolveOptions::farthest was reached
   no_descent,  // no step lowers the energy although forces are not in balance
   not_held,    // a load on rods that no support holds against it
   not_finite,  // the starting state has infinite or undefined energy
