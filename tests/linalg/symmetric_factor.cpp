@@ -46,6 +46,7 @@ TEST_CASE("inertia, solves and negative curvature agree with dense algebra at ev
 
         const Eigen::MatrixXd b = Eigen::MatrixXd::Random(n, 3);
         const Eigen::MatrixXd x = factor.solve(b);
+        CHECK(factor.solve(Eigen::MatrixXd(n, 0)).cols() == 0);
         Eigen::VectorXd single;
         factor.solve(b.col(0), single);
         for (int k = 0; k < 3; ++k) CHECK(residual(dense, x.col(k), b.col(k)) < 1e-9);
