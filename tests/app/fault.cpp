@@ -1,6 +1,6 @@
 // Preloaded into the program by tests: the TENCER_FAULT_AT-th call that changes a file (opening,
 // writing, renaming, making a folder) ends the program as kill -9 would, or fails for want of space
-// and so do all after it, as TENCER_FAULT says: "kill" or "full".
+// and so do all after it but to rename, as TENCER_FAULT says: "kill" or "full".
 #include <dlfcn.h>
 #include <sys/stat.h>
 #include <sys/uio.h>
@@ -19,12 +19,13 @@ Function* real(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
 }
 
-// Whether the call has to fail.
-bool fault() {
+// Whether the call has to fail; `once`: when it is the one that was chosen, not when it comes
+// later.
+bool fault(bool once = false) {
   static int calls = 0;
   const char* at = std::getenv("TENCER_FAULT_AT");
   const char* kind = std::getenv("TENCER_FAULT");
-  if (!at || !kind || ++calls < std::atoi(at)) return false;
+  if (!at || !kind || ++calls < std::atoi(at) || (once && calls > std::atoi(at))) return false;
   if (std::string_view(kind) == "kill") std::raise(SIGKILL);
   errno = ENOSPC;
   return true;
@@ -57,7 +58,7 @@ ssize_t writev(int descriptor, const iovec* pieces, int count) {
 }
 
 int rename(const char* from, const char* to) {
-  if (fault()) return -1;
+  if (fault(true)) return -1;
   return real<int(const char*, const char*)>("rename")(from, to);
 }
 

@@ -19,9 +19,10 @@ core::Error unwritable(const fs::path& path, int error) {
 }
 
 // Beside `path`; its own name for each write, so that two programs do not write into each other's.
-fs::path part_of(fs::path path) {
-  return path.concat(".").concat(std::to_string(std::random_device()())).concat(".part");
+fs::path beside(fs::path path, const char* ending) {
+  return path.concat(".").concat(std::to_string(std::random_device()())).concat(ending);
 }
+fs::path part_of(const fs::path& path) { return beside(path, ".part"); }
 
 // Into `file`; an error names `path`, which it is to become.
 std::optional<core::Error> write_text(const fs::path& file, const fs::path& path,
@@ -34,22 +35,47 @@ std::optional<core::Error> write_text(const fs::path& file, const fs::path& path
   return std::nullopt;
 }
 
-// A text beside the file it is to become; gone again unless renamed.
+// A text beside the file it is to become. Unless it is kept, all is then as it was.
 class PartFile {
  public:
   explicit PartFile(const fs::path& path) : path_(path), part_(part_of(path)) {}
   ~PartFile() {
+    if (kept_) return;
     std::error_code ignored;
-    if (!part_.empty()) fs::remove(part_, ignored);
+    if (!part_.empty())
+      fs::remove(part_, ignored);
+    else if (old_.empty())
+      fs::remove(path_, ignored);
+    if (!old_.empty()) fs::rename(old_, path_, ignored);
   }
   PartFile(PartFile&& other) noexcept
-      : path_(std::move(other.path_)), part_(std::exchange(other.part_, {})) {}
+      : path_(std::move(other.path_)),
+        part_(std::move(other.part_)),
+        old_(std::move(other.old_)),
+        kept_(std::exchange(other.kept_, true)) {}
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
   PartFile& operator=(PartFile&&) = delete;
 
   std::optional<core::Error> write(std::string_view text) const {
     return write_text(part_, path_, text);
+  }
+
+  // The old file, if there is one, gets another name; or a copy has it.
+  std::optional<core::Error> set_aside(bool copy) {
+    std::error_code failure, ignored;
+    if (!fs::exists(path_, ignored)) return std::nullopt;
+    fs::path old = beside(path_, ".old");
+    if (copy)
+      fs::copy_file(path_, old, failure);
+    else
+      fs::rename(path_, old, failure);
+    if (failure) {
+      fs::remove(old, ignored);
+      return unwritable(path_, failure.value());
+    }
+    old_ = std::move(old);
+    return std::nullopt;
   }
 
   std::optional<core::Error> rename() {
@@ -60,9 +86,17 @@ class PartFile {
     return std::nullopt;
   }
 
+  void keep() {
+    kept_ = true;
+    std::error_code ignored;
+    if (!old_.empty()) fs::remove(old_, ignored);
+  }
+
  private:
   fs::path path_;
   fs::path part_;
+  fs::path old_;
+  bool kept_ = false;
 };
 
 // A folder that is made if need be, with those above it; what was made is gone again unless kept.
@@ -145,7 +179,9 @@ std::optional<core::Error> write_file(const fs::path& path, std::string_view tex
     return write_text(path, path, text);
   PartFile file(path);
   if (auto error = file.write(text)) return error;
-  return file.rename();
+  if (auto error = file.rename()) return error;
+  file.keep();
+  return std::nullopt;
 }
 
 std::optional<core::Error> write_files(const fs::path& folder, std::span<const NamedText> files) {
@@ -161,8 +197,13 @@ std::optional<core::Error> write_files(const fs::path& folder, std::span<const N
     parts.emplace_back(folder / file.name);
     if (auto error = parts.back().write(file.text)) return error;
   }
+  // The first file is the old or the new one at any moment, and the others that are there are of
+  // the same kind: no new one comes before the first, no old one is left by then.
+  for (PartFile& part : parts)
+    if (auto error = part.set_aside(&part == &parts.front())) return error;
   for (PartFile& part : parts)
     if (auto error = part.rename()) return error;
+  for (PartFile& part : parts) part.keep();
   made.keep();
   return std::nullopt;
 }

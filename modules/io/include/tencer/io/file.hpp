@@ -24,9 +24,11 @@ struct NamedText {
   std::string text;
 };
 
-// All of them into `folder`. On an Error no old file is touched and nothing new is left, no folder
-// either. A folder that is not there appears at once with all its files, so that a program that is
-// killed leaves the whole folder or none; in one that is there, each file is the old or the new one.
+// All of them into `folder`, the one that matters most first. On an Error everything is as it was
+// before. A folder that is not there appears at once with all its files, so that a program that is
+// killed leaves the whole folder or none. In one that is there, a program that is killed leaves the
+// first file, old or new, and of the others only such as go with it; all of them, old and new, are
+// then also there under longer names (.old, .part).
 std::optional<core::Error> write_files(const std::filesystem::path& folder,
                                        std::span<const NamedText> files);
 
