@@ -5,6 +5,10 @@ include(${CMAKE_CURRENT_LIST_DIR}/run_tencer.cmake)
 # bad_curve(FILE CONTENT WHERE REMEDY)
 function(bad_curve file content where remedy)
   file(WRITE ${WORK}/${file} "${content}")
+  set(tried "${content}")
+  if(content STREQUAL "")
+    set(tried "an empty ${file}")
+  endif()
   refused("${where}: " "${remedy}" design ${file} -o out)
 endfunction()
 
@@ -34,3 +38,5 @@ bad_curve(open.json
   "{\"curves\": [{\"closed\": false, \"points\": [[0,0,0], [1,0,0], [1,1,0], [0,0,0]]}]}"
   "open.json: curves[0].points" "set closed to true, or remove the last point")
 bad_curve(strut.xyz "0 0 0\n1 0 0\n" "strut.xyz" "no cable is possible")
+
+check_page("Curve files")

@@ -30,6 +30,7 @@ function(bad_design old new where remedy)
   endif()
   string(REPLACE "${old}" "${new}" content "${bow}")
   file(WRITE ${WORK}/bow.json "${content}")
+  set(tried "${old} -> ${new}")
   refused("${where}: " "${remedy}" simulate bow.json -o out)
 endfunction()
 
@@ -67,3 +68,5 @@ bad_design("\"tension\": 1" "\"tension\": 1, \"stiffness\": 5" "bow.json: cables
   "give both or neither")
 bad_design("\"pinned\": []" "\"pinned\": [{\"rod\": 0, \"vertex\": 4, \"axes\": \"x\"}]"
   "bow.json: pinned[0].vertex" "there is no vertex 4")
+
+check_page("Design files")

@@ -32,6 +32,8 @@ endif()
 foreach(value 0 -1 2.5 many 99999999999)
   refused("--cables: " "expected a positive whole number, found ${value}"
     design ring.obj -o out --cables ${value})
+  refused("--threads: " "expected a positive whole number, found ${value}"
+    design ring.obj -o out --threads ${value})
 endforeach()
 refused("--method: " "force-balance,dense-springs" design ring.obj -o out --method luck)
 refused("--objective: " "max,rms" design ring.obj -o out --objective mean)
@@ -51,3 +53,8 @@ refused("--symmetry: " "use none, or --method force-balance"
 refused("ring.obj: " "cannot be made a folder: ring.obj is a file" design ring.obj -o ring.obj)
 refused("ring.obj/out: " "cannot be made a folder: ring.obj is a file"
   design ring.obj -o ring.obj/out)
+
+# The tables name the optimizers that were built.
+if(IPOPT AND MMA)
+  check_page("Command lines")
+endif()

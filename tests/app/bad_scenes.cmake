@@ -9,11 +9,13 @@ expect_status(0)
 set(rod "[[rod]]\ncurve = \"ring.obj\"\n\n")
 function(bad_scene content where remedy)
   file(WRITE ${WORK}/scene.toml "${rod}${content}")
+  set(tried "${content}")
   refused("${where}: " "${remedy}" design scene.toml -o out)
 endfunction()
 # The content comes before it.
 function(bad_top content where remedy)
   file(WRITE ${WORK}/scene.toml "${content}\n${rod}")
+  set(tried "${content}")
   refused("${where}: " "${remedy}" design scene.toml -o out)
 endfunction()
 
@@ -72,3 +74,5 @@ bad_scene("[design]\nmax_error = -1\n" "scene.toml:5: design.max_error" "expecte
 bad_scene("[design]\noptimizer = \"snopt\"\n" "scene.toml:5: design.optimizer" "ipopt, mma, ccsaq")
 bad_scene("[design]\noptimizer = \"mma\"\nhessian = \"exact\"\n" "scene.toml:6: design.hessian"
   "belongs to the optimizer ipopt")
+
+check_page("Scene files")

@@ -21,6 +21,7 @@ if(EXISTS /dev/full)
     run_shell("\"$1\" ${command} >/dev/full")
     expect_status(1)
     expect_contains("${err}" "tencer: standard output cannot be written\n")
+    record("tencer ${command} >/dev/full" "${err}")
   endforeach()
   # A device is written to, not replaced.
   file(CREATE_LINK /dev/full ${WORK}/full.obj SYMBOLIC)
@@ -30,7 +31,7 @@ if(EXISTS /dev/full)
   endif()
 endif()
 
-# A folder in which nobody may write.
+# Folders in which nobody may write.
 if(EXISTS /proc/self)
   refused("/proc/out: " "cannot be made a folder" design ring.obj -o /proc/out)
   refused("/proc: " "cannot be written" design ring.obj -o /proc)
@@ -46,10 +47,16 @@ if(status STREQUAL 0) # address sanitizers reserve more than that
     if(NOT err STREQUAL "tencer: out of memory\n" OR NOT status STREQUAL 1)
       message(SEND_ERROR "${kilobytes} kB: exit code ${status}, stdout: ${out}stderr: ${err}")
     endif()
+    record("ulimit -v ${kilobytes}; tencer design long.obj -o kept --quiet" "${err}")
   endforeach()
 endif()
 
 file(SHA256 ${WORK}/kept/design.json now)
 if(NOT now STREQUAL kept)
   message(SEND_ERROR "a failed run changed the design that was there")
+endif()
+
+# Sanitized programs reserve more memory than was given.
+if(EXISTS /dev/full AND EXISTS /proc/self AND status STREQUAL 1)
+  check_page("The machine")
 endif()
