@@ -44,6 +44,7 @@ struct DesignRequest {
   std::optional<int> cables;
   std::optional<std::string> objective;
   std::optional<std::string> symmetry;
+  std::optional<int> threads;
   bool trade_off = false;
 };
 
@@ -99,6 +100,7 @@ std::optional<core::Error> apply(const DesignRequest& request, io::DesignSetting
   if (request.cables) settings.cables = *request.cables;
   if (request.objective) settings.objective = *request.objective;
   if (request.symmetry) settings.symmetry = *request.symmetry;
+  if (request.threads) settings.threads = *request.threads;
   if (request.symmetry == "detect" && settings.method != "force-balance")
     return core::Error{"--symmetry", "networks of the method " + settings.method +
                                          " do not keep symmetries; use none, or --method "
@@ -228,6 +230,11 @@ void add_design(CLI::App& app, Command& chosen) {
                    "What gauss-newton or ipopt is told of curvature [the scene's, else " +
                        io::DesignSettings{}.hessian + "]")
       ->check(CLI::IsMember({"limited-memory", "gauss-newton", "exact"}));
+  command
+      ->add_option("--threads", request->threads,
+                   "How many threads share the work; the design is the same [the scene's, else as "
+                   "many as the machine has]")
+      ->check(positive_integer());
   command->callback([&chosen, request] {
     chosen = [request](const core::Log& log) { return run_design(*request, log); };
   });

@@ -440,6 +440,8 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
        "s.toml:4: design.sparsity_weights: expected increasing numbers that are not negative"},
       {design + "sparsity_weights = []\n",
        "s.toml:4: design.sparsity_weights: expected increasing numbers that are not negative"},
+      {design + "threads = 0\n",
+       "s.toml:4: design.threads: expected a whole number from 1, found 0"},
       {design + "spring_stiffness = 0\n",
        "s.toml:4: design.spring_stiffness: expected a positive number, found 0"},
       {design + "weights = [{rod = 0, weight = -1}]\n",

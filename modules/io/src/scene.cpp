@@ -138,7 +138,8 @@ void read_rod_pairs(const TomlTable& design, Scene& scene) {
 void read_design(const TomlTable& design, Scene& scene) {
   design.only({"method", "optimizer", "hessian", "max_error", "cables", "objective", "symmetry",
                "rod_pairs", "external", "longest_cable", "weights", "forbidden_arcs",
-               "forbidden_vertices", "sparsity_weights", "spring_stiffness", "greedy_threshold"});
+               "forbidden_vertices", "sparsity_weights", "spring_stiffness", "greedy_threshold",
+               "threads"});
   DesignSettings& settings = scene.design;
   const auto choose = [&](std::string_view key, std::initializer_list<std::string_view> choices,
                           std::string& value) {
@@ -154,6 +155,7 @@ void read_design(const TomlTable& design, Scene& scene) {
   settings.max_error = design.positive("max_error").value_or(settings.max_error);
   settings.cables = design.integer("cables", 1);
   settings.longest_cable = design.positive("longest_cable");
+  settings.threads = design.integer("threads", 1);
   settings.spring_stiffness =
       design.positive("spring_stiffness").value_or(settings.spring_stiffness);
   settings.greedy_threshold =

@@ -69,6 +69,8 @@ struct DesignSettings {
   std::optional<std::vector<std::array<int, 2>>> rod_pairs = std::nullopt;
   bool external = true;  // cables to the anchors, if there are any
   std::optional<double> longest_cable = std::nullopt;
+  // Where work can be shared out; none: as many as the machine has. The design is the same.
+  std::optional<int> threads = std::nullopt;
   // Weights of the sparsity term, tried in this order (section 5.3).
   std::vector<double> sparsity_weights{0, 1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
   double spring_stiffness = 100;   // factor f of k = f E c^2 / L (section 5.1)
