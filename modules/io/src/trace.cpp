@@ -1,4 +1,6 @@
+#include <array>
 #include <cmath>
+#include <tencer/io/csv.hpp>
 #include <tencer/io/file.hpp>
 #include <tencer/io/trace.hpp>
 
@@ -6,17 +8,6 @@
 
 namespace tencer::io {
 namespace {
-
-// RFC 4180: quoted when it holds a comma, a quote or a line end; quotes doubled.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
 
 std::string percent(double value) { return std::isnan(value) ? "" : to_text(value); }
 
@@ -26,10 +17,10 @@ std::string trace_text(std::span<const TraceRow> rows) {
   std::string text =
       "stage,seconds,cables,max_percent,rms_percent,equilibrium_solves,newton_iterations,note\n";
   for (const TraceRow& row : rows)
-    text += field(row.stage) + "," + to_text(row.seconds) + "," + std::to_string(row.cables) + "," +
-            percent(row.max_percent) + "," + percent(row.rms_percent) + "," +
-            std::to_string(row.equilibrium_solves) + "," + std::to_string(row.newton_iterations) +
-            "," + field(row.note) + "\n";
+    text += csv_line(std::array{row.stage, to_text(row.seconds), std::to_string(row.cables),
+                                percent(row.max_percent), percent(row.rms_percent),
+                                std::to_string(row.equilibrium_solves),
+                                std::to_string(row.newton_iterations), row.note});
   return text;
 }
 
