@@ -1,19 +1,21 @@
 // tencer design INPUT: cables for a scene or a bare target curve.
 #include <chrono>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <sstream>
-#include <tencer/io/curve.hpp>
 #include <tencer/io/file.hpp>
-#include <tencer/io/scene.hpp>
 #include <tencer/pipeline/design.hpp>
+#include <tencer/pipeline/prepare.hpp>
+#include <tencer/pipeline/resolution.hpp>
 #include <utility>
 #include <vector>
 
 #include "command.hpp"
 #include "design_files.hpp"
 #include "interrupt.hpp"
+#include "scene_input.hpp"
 
 namespace tencer::app {
 namespace {
@@ -26,6 +28,7 @@ constexpr const char* examples = R"(Examples:
   tencer design curve.obj --trade-off        how close with how many cables: all of them, in a table
   tencer design curve.obj --symmetry detect --objective rms
   tencer design curve.obj --method dense-springs --optimizer mma
+  tencer design scene.toml --explain         first what this scene needs, and what is left out
 
 INPUT is a scene (.toml, see docs/scene.md) or a curve (.obj, .csv, .xyz, .txt, .json). The folder
 gets design.json, trace.csv (error against run time), pose.obj, view.html and picture.svg. With
@@ -45,15 +48,10 @@ struct DesignRequest {
   std::optional<std::string> objective;
   std::optional<std::string> symmetry;
   std::optional<int> threads;
+  double resolution = 1.0;
   bool trade_off = false;
+  bool explain = false;
 };
-
-core::Expected<io::Scene> read_input(const std::filesystem::path& input) {
-  if (input.extension() == ".toml") return io::read_scene(input);
-  auto curves = io::read_curves(input);
-  if (!curves) return curves.error();
-  return io::scene_of_curves(std::move(*curves), input);
-}
 
 // One line a second at the most.
 std::function<void(const sparsify::Progress&)> progress_lines(const core::Log& log) {
@@ -155,14 +153,32 @@ core::Expected<io::Design> make_design(const std::filesystem::path& folder, cons
   return best;
 }
 
+// What the scene needs and what is left out, a line each.
+std::string explanation(const std::vector<pipeline::Part>& parts) {
+  std::ostringstream text;
+  for (const bool used : {false, true}) {
+    text << (used ? "needed:\n" : "left out:\n");
+    for (const auto& part : parts)
+      if (part.used == used)
+        text << "  " << std::left << std::setw(19) << part.name << ' ' << part.why << '\n';
+  }
+  return text.str();
+}
+
 core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Log& log) {
-  auto scene = read_input(request.input);
+  auto scene = read_scene_or_curve(request.input);
   if (!scene) return scene.error();
   if (const auto error = apply(request, scene->design)) return *error;
+  *scene = pipeline::at_resolution(*scene, request.resolution);
   const std::filesystem::path folder =
       request.output.empty() ? std::filesystem::path(request.input.stem().string() + "-design")
                              : request.output;
   if (const auto error = io::folder_problem(folder)) return *error;
+  if (request.explain) {
+    const auto prepared = pipeline::prepare(*scene);
+    if (!prepared) return prepared.error();
+    std::cout << explanation(prepared->parts) << std::flush;
+  }
 
   const Interrupt interrupt;
   const auto design =
@@ -235,6 +251,14 @@ void add_design(CLI::App& app, Command& chosen) {
                    "How many threads share the work; the design is the same [the scene's, else as "
                    "many as the machine has]")
       ->check(positive_integer());
+  command
+      ->add_option("--resolution", request->resolution,
+                   "Vertices of every rod, times what the scene has")
+      ->check(positive_number())
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
+  command->add_flag("--explain", request->explain,
+                    "Say first what this scene needs, and what is left out and why");
   command->callback([&chosen, request] {
     chosen = [request](const core::Log& log) { return run_design(*request, log); };
   });

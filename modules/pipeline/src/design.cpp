@@ -100,8 +100,8 @@ core::Expected<Run> run(const io::Scene& scene, bool every_number, const DesignO
   if (!backend) return core::Error{scene.source, "design.optimizer: " + backend.error().message};
   auto prepared = prepare(scene);
   if (!prepared) return prepared.error();
-  for (const auto& sentence : prepared->left_out)
-    say(options, core::Level::debug, "left out: " + sentence);
+  for (const Part& part : prepared->parts)
+    if (!part.used) say(options, core::Level::debug, "no " + part.name + ": " + part.why);
   const auto candidates =
       sparsify::candidates(prepared->structure, prepared->target.points, prepared->rules);
   if (!candidates)

@@ -1,11 +1,13 @@
-#include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <tencer/equilibrium/rigid_modes.hpp>
 #include <tencer/geometry/hull.hpp>
 #include <tencer/pipeline/convert.hpp>
 #include <tencer/pipeline/prepare.hpp>
+#include <tencer/symmetry/detect.hpp>
 
 #include "frames.hpp"
+#include "parts.hpp"
 #include "rest_shape.hpp"
 
 namespace tencer::pipeline {
@@ -74,25 +76,24 @@ sparsify::Rules scaled_rules(const io::Scene& scene, const equilibrium::Structur
   return rules;
 }
 
-std::vector<std::string> what_is_left_out(const equilibrium::Structure& structure,
-                                          const sensitivity::Target& target,
-                                          const sparsify::Rules& rules) {
-  std::vector<std::string> list;
-  const auto carries_no_twist = [](const der::Rod& rod) {
-    return der::twist_model(rod) == der::TwistModel::none;
-  };
-  if (std::ranges::all_of(structure.rods, carries_no_twist))
-    list.push_back("no twist: every rod is straight at rest, isotropic and free to spin");
-  else if (std::ranges::none_of(structure.rods, [](const der::Rod& rod) {
-             return der::twist_model(rod) == der::TwistModel::per_edge;
-           }))
-    list.push_back("no twist along the rods: it is the same all along each of them");
-  if (structure.line_loads.empty() && structure.point_loads.empty())
-    list.push_back("no loads: the scene has neither gravity nor point loads");
-  if (structure.planar) list.push_back("no z: the scene is planar");
-  if (!target.align) list.push_back("no registration: anchors or pins hold the structure in place");
-  if (!rules.external) list.push_back("no external cables: the scene has no anchors");
-  return list;
+// The symmetries of the scene's target and of everything else that matters.
+std::optional<symmetry::Group> detected(const Prepared& prepared) {
+  const auto& structure = prepared.structure;
+  symmetry::Figure figure{.anchors = structure.anchors};
+  for (std::size_t r = 0; r < structure.rods.size(); ++r) {
+    const auto& rod = structure.rods[r];
+    figure.curves.push_back({.points = prepared.target.points[r], .closed = rod.closed});
+    figure.rods.emplace_back(rod.rest_lengths, rod.closed);
+    int alike = 0;
+    const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); };
+    while (!same(structure.rods[alike].section.EA, rod.section.EA) ||
+           !same(structure.rods[alike].section.EI1, rod.section.EI1))
+      ++alike;
+    figure.classes.push_back(alike);
+  }
+  symmetry::Group group = symmetry::detect(figure).group;
+  if (group.order() == 1) return std::nullopt;
+  return group;
 }
 
 // Without pins and loads, cables to anchors can only balance when these surround the target (paper
@@ -148,7 +149,9 @@ core::Expected<Prepared> prepare(const io::Scene& scene) {
   prepared.start = start_of(scene, prepared.structure, prepared.target.points);
   for (std::size_t r = 0; r < prepared.start.size(); ++r)
     prepared.file.rods[r].target_directors = directors(prepared.start[r]);
-  prepared.left_out = what_is_left_out(prepared.structure, prepared.target, prepared.rules);
+  if (scene.design.symmetry == "detect" && scene.design.method == "force-balance")
+    prepared.symmetry = detected(prepared);
+  prepared.parts = parts_of(scene, prepared);
   return prepared;
 }
 

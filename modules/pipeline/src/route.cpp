@@ -1,15 +1,12 @@
 #include "route.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <sstream>
 #include <tencer/sparsify/balance.hpp>
 #include <tencer/sparsify/decimate.hpp>
 #include <tencer/sparsify/dense.hpp>
 #include <tencer/sparsify/slide.hpp>
 #include <tencer/sparsify/sparsify.hpp>
-#include <tencer/symmetry/detect.hpp>
 #include <utility>
 
 namespace tencer::pipeline {
@@ -66,26 +63,6 @@ class Route {
   bool begun_ = false;
 };
 
-// The symmetries of the scene's target and of everything else that matters.
-std::optional<symmetry::Group> detected(const Prepared& prepared) {
-  const auto& structure = prepared.structure;
-  symmetry::Figure figure{.anchors = structure.anchors};
-  for (std::size_t r = 0; r < structure.rods.size(); ++r) {
-    const auto& rod = structure.rods[r];
-    figure.curves.push_back({.points = prepared.target.points[r], .closed = rod.closed});
-    figure.rods.emplace_back(rod.rest_lengths, rod.closed);
-    int alike = 0;
-    const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); };
-    while (!same(structure.rods[alike].section.EA, rod.section.EA) ||
-           !same(structure.rods[alike].section.EI1, rod.section.EI1))
-      ++alike;
-    figure.classes.push_back(alike);
-  }
-  symmetry::Group group = symmetry::detect(figure).group;
-  if (group.order() == 1) return std::nullopt;
-  return group;
-}
-
 }  // namespace
 
 Outcome run_route(const io::DesignSettings& settings, const Prepared& prepared,
@@ -95,9 +72,7 @@ Outcome run_route(const io::DesignSettings& settings, const Prepared& prepared,
   const sparsify::Control control{.stop = options.stop, .progress = options.progress};
   const sparsify::OuterOptions outer{.second_derivatives = second_derivatives(settings.hessian)};
   const sparsify::Network bare{prepared.structure, prepared.start};
-  std::optional<symmetry::Group> group;
-  if (settings.symmetry == "detect") group = detected(prepared);
-  const symmetry::Group* const symmetry = group ? &*group : nullptr;
+  const symmetry::Group* const symmetry = prepared.symmetry ? &*prepared.symmetry : nullptr;
   std::vector<sparsify::Choice> choices;
   const auto thin = [&](const sparsify::Network& network) {
     auto thinned =

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <tencer/core/error.hpp>
 #include <tencer/core/scale.hpp>
@@ -11,6 +12,7 @@
 #include <tencer/io/scene.hpp>
 #include <tencer/sensitivity/target.hpp>
 #include <tencer/sparsify/rules.hpp>
+#include <tencer/symmetry/group.hpp>
 #include <vector>
 
 namespace tencer::pipeline {
@@ -29,6 +31,13 @@ struct Units {
   }
 };
 
+// Something that only some scenes need, and whether this one does.
+struct Part {
+  std::string name{};  // "theta", "z", "registration", ...
+  bool used = false;   // false: left out
+  std::string why{};   // of either, half a sentence
+};
+
 struct Prepared {
   io::Design file{};                   // the design file but for cables, the pose the target
   equilibrium::Structure structure{};  // scaled, without cables
@@ -38,7 +47,10 @@ struct Prepared {
   // The rods at the target, where they start: with material frames that carry no moments which
   // cables would have to balance.
   equilibrium::State start{};
-  std::vector<std::string> left_out{};  // what this scene does not need, a sentence each
+  // Of the rods, the target and what holds them; none when the scene does not ask for it, when the
+  // method cannot keep it, or when there is none.
+  std::optional<symmetry::Group> symmetry{};
+  std::vector<Part> parts{};
 };
 
 // Errors name the scene's file or the curve a rod came from: a rod whose vertices meet, an anchor

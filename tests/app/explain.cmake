@@ -1,0 +1,38 @@
+# What a scene needs and what is left out is said before the design is made.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/run_tencer.cmake)
+
+run_tencer(target ellipse --vertices 24 -o ring.obj)
+expect_status(0)
+run_tencer(design ring.obj -o ring --explain --quiet)
+expect_status(0)
+string(REGEX MATCH "left out:\n(.*)needed:\n(.*) cables, max error" parts "${out}")
+set(left_out "${CMAKE_MATCH_1}")
+set(needed "${CMAKE_MATCH_2}")
+foreach(part theta loads "external cables" symmetry "outer optimizer")
+  expect_contains("${left_out}" "  ${part} ")
+endforeach()
+expect_contains("${left_out}" "24 angles fewer")
+foreach(part z registration sliding)
+  expect_contains("${needed}" "  ${part} ")
+endforeach()
+
+file(WRITE ${WORK}/plane.toml "planar = true\n[[rod]]\ncurve = \"ring.obj\"
+section = {shape = \"rectangle\", width = 0.1, height = 0.2}\n")
+run_tencer(design plane.toml -o plane --explain --quiet)
+expect_status(0)
+string(REGEX MATCH "left out:\n(.*)needed:\n(.*) cables, max error" parts "${out}")
+expect_contains("${CMAKE_MATCH_1}" "24 unknowns fewer")
+expect_contains("${CMAKE_MATCH_2}" "an angle an edge where the section has two axes, rod 0")
+
+# Coarser rods for one design.
+run_tencer(design ring.obj -o half --resolution 0.5 --quiet)
+expect_status(0)
+file(READ ${WORK}/half/design.json design)
+string(JSON vertices LENGTH "${design}" rods 0 target)
+if(NOT vertices EQUAL 12)
+  message(SEND_ERROR "--resolution 0.5 of 24 vertices has ${vertices}")
+endif()
+foreach(value 0 -1 nan 1000)
+  refused("--resolution: " "${value}" design ring.obj -o out --resolution ${value})
+endforeach()
