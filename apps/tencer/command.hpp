@@ -28,6 +28,7 @@ CLI::Validator positive_integer();
 void add_design(CLI::App& app, Command& chosen);
 void add_simulate(CLI::App& app, Command& chosen);
 void add_stress(CLI::App& app, Command& chosen);
+void add_study(CLI::App& app, Command& chosen);
 void add_target(CLI::App& app, Command& chosen);
 
 }  // namespace tencer::app

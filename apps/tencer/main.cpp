@@ -61,6 +61,7 @@ int run(int argc, char** argv) {
   add_simulate(app, chosen);
   add_target(app, chosen);
   add_stress(app, chosen);
+  add_study(app, chosen);
 
   try {
     app.parse(argc, argv);

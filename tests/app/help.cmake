@@ -17,6 +17,7 @@ explains(design)
 explains(simulate)
 explains(target)
 explains(stress)
+explains(study)
 
 run_tencer(--version)
 expect_status(0)

@@ -1,0 +1,35 @@
+// The runs of a study: which there are, and how one is made.
+#pragma once
+
+#include <optional>
+#include <stop_token>
+
+#include "plot.hpp"
+#include "table.hpp"
+
+namespace tencer::app::study {
+
+struct Choice {
+  std::vector<std::filesystem::path> scenes{};
+  std::vector<std::string> methods{};
+  std::vector<std::string> optimizers{};  // of methods that have a choice
+  std::vector<double> resolutions{};
+};
+
+// Scene after scene, methods, optimizers, resolutions. Force balance has one optimizer of its own,
+// gauss-newton. Error: two scenes of the same name.
+core::Expected<std::vector<Run>> runs_of(const Choice& choice);
+
+// The run as a process of its own (`tencer design`), so that whatever becomes of it - a crash, no
+// memory left, no end - costs one row. Its design is in folder/runs, beside a log of what it
+// printed. limit: seconds until it has to end with the best design so far; 0: none. None when it
+// was stopped.
+std::optional<Row> make(const Run& run, const std::filesystem::path& folder, double limit,
+                        const std::stop_token& stop);
+
+// Error against run time of a scene's runs, stage by stage, with numbers of cables: from the table
+// and the designs in folder/runs.
+Plot plot_of(const std::string& scene, std::span<const Row> rows,
+             const std::filesystem::path& folder);
+
+}  // namespace tencer::app::study

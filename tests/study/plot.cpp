@@ -1,0 +1,35 @@
+// What gnuplot is given.
+#include "study/plot.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace tencer::app::study;
+using Catch::Matchers::Contains;
+
+TEST_CASE("a plot has a block of data and a line of its script for each curve") {
+  const Plot plot{.title = "the rod's own",
+                  .error_axis = "error",
+                  .label_note = "cables",
+                  .curves = {{.name = "one", .points = {{1, 0.5, "9"}, {2, 0.25, "7"}}},
+                             {.name = "empty"},
+                             {.name = "two", .colour = 2, .dash = 3, .points = {{3, 1e-3, ""}}}}};
+  const auto files = plot_files("knot", plot);
+  REQUIRE(files.size() == 2);
+  CHECK(files[0].name == "knot.dat");
+  CHECK_THAT(files[0].text,
+             Contains("# one\n1 0.5 \"9\"\n2 0.25 \"7\"\n\n\n# two\n3 0.001 \"\"\n"));
+  CHECK(files[1].name == "knot.gp");
+  CHECK_THAT(files[1].text, Contains("set output 'knot.svg'"));
+  CHECK_THAT(files[1].text, Contains("set title 'the rod''s own'"));
+  CHECK_THAT(files[1].text, Contains("set xlabel 'seconds (cables)'"));
+  CHECK_THAT(files[1].text, Contains("data index 0 using 1:2"));
+  CHECK_THAT(files[1].text, Contains("data index 1 using 1:2 with linespoints lt 2 dt 3"));
+  CHECK_THAT(files[1].text, !Contains("index 2"));
+  CHECK(has_points(plot));
+}
+
+TEST_CASE("points that logarithmic axes cannot show are left out") {
+  const Plot plot{.curves = {{.points = {{0, 1, ""}, {1, 0, ""}}}}};
+  CHECK_FALSE(has_points(plot));
+  CHECK_THAT(plot_files("none", plot)[0].text, !Contains("\n1 0"));
+}
