@@ -7,6 +7,7 @@
 #include <tencer/sparsify/dense.hpp>
 #include <tencer/sparsify/slide.hpp>
 #include <tencer/sparsify/sparsify.hpp>
+#include <thread>
 #include <utility>
 
 namespace tencer::pipeline {
@@ -16,6 +17,11 @@ sparsify::SecondDerivatives second_derivatives(const std::string& name) {
   if (name == "exact") return sparsify::SecondDerivatives::exact;
   if (name == "gauss-newton") return sparsify::SecondDerivatives::gauss_newton;
   return sparsify::SecondDerivatives::none;
+}
+
+int threads_of(const io::DesignSettings& settings) {
+  const auto has = static_cast<int>(std::thread::hardware_concurrency());  // 0: not known
+  return settings.threads.value_or(std::max(has, 1));
 }
 
 io::TraceRow trace_row(const sparsify::StageRow& row) {
@@ -81,7 +87,8 @@ Outcome run_route(const io::DesignSettings& settings, const Prepared& prepared,
                         .cables = settings.cables.value_or(0),
                         .every_number = every_number,
                         .measure = settings.objective == "rms" ? sparsify::Measure::rms
-                                                               : sparsify::Measure::largest},
+                                                               : sparsify::Measure::largest,
+                        .threads = threads_of(settings)},
                        control);
     choices = std::move(thinned.choices);
     return std::move(thinned.stage);
