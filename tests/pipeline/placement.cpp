@@ -1,0 +1,211 @@
+// What a design is and promises does not depend on where the target is, on how it is turned, or on
+// how its rods and vertices are numbered. Which cables thinning ends with does: it goes on until
+// rounding decides between two that are as good.
+#include <Eigen/Geometry>
+#include <functional>
+#include <numbers>
+#include <tencer/geometry/measure.hpp>
+#include <tencer/pipeline/prepare.hpp>
+#include <tencer/pipeline/simulate.hpp>
+#include <tencer/sparsify/balance.hpp>
+
+#include "scenes.hpp"
+
+using namespace tencer;
+
+namespace {
+
+// A bent ring without symmetry, for with one several networks are as good.
+geometry::Polyline ring(int vertices, double phase) {
+  geometry::Polyline ring = geometry::ellipse(32.5, 25, vertices);
+  for (int i = 0; i < vertices; ++i) {
+    const double phi = 2 * std::numbers::pi * i / vertices + phase;
+    ring.points(0, i) += 3 * std::sin(2 * phi);
+    ring.points(2, i) += 8 * std::cos(2 * phi) + 3 * std::sin(3 * phi);
+  }
+  return ring;
+}
+
+// Two of them, the second through the first.
+io::Scene linked_scene() {
+  std::vector<geometry::Polyline> rings{ring(24, 0.3), ring(20, 1.1)};
+  rings[1].points.row(1).swap(rings[1].points.row(2));
+  rings[1].points.colwise() += Eigen::Vector3d(30, 1, 2);
+  return scene_of(std::move(rings));
+}
+
+// A place on a rod: which, and at what part of its length.
+struct Place {
+  int rod = 0;
+  double part = 0.0;
+};
+
+// Another way to see the same rods, all of them closed.
+struct View {
+  std::string name;
+  std::function<Eigen::Vector3d(const Eigen::Vector3d&)> move;
+  int first = 0;          // vertex of the rods at which they begin
+  bool reversed = false;  // run through the other way, from there
+  bool reordered = false;
+
+  int vertex(int i, int vertices) const {
+    return (first + (reversed ? -i : i) + 2 * vertices) % vertices;
+  }
+  int edge(int i, int edges) const { return vertex(reversed ? i + 1 : i, edges); }
+
+  Eigen::Matrix3Xd points(const Eigen::Matrix3Xd& points) const {
+    Eigen::Matrix3Xd result(3, points.cols());
+    const auto vertices = static_cast<int>(points.cols());
+    for (int i = 0; i < vertices; ++i) result.col(i) = move(points.col(vertex(i, vertices)));
+    return result;
+  }
+  // Of a place in the view: where it is.
+  Place seen(Place at, const std::vector<Eigen::VectorXd>& rest_lengths) const {
+    const auto rods = static_cast<int>(rest_lengths.size());
+    if (reordered) at.rod = rods - 1 - at.rod;
+    const double start = rest_lengths[at.rod].head(first).sum() / rest_lengths[at.rod].sum();
+    const double part = start + (reversed ? -at.part : at.part);
+    return {at.rod, part - std::floor(part)};
+  }
+};
+
+const auto in_place = [](const Eigen::Vector3d& x) -> Eigen::Vector3d { return x; };
+
+std::vector<View> views() {
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(1.2, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+  const auto elsewhere = [turn](const Eigen::Vector3d& x) -> Eigen::Vector3d {
+    return turn * x + Eigen::Vector3d(70, -10, 40);
+  };
+  return {
+      {.name = "turned and moved", .move = elsewhere},
+      {.name = "begun at another vertex", .move = in_place, .first = 7},
+      {.name = "run through the other way", .move = in_place, .reversed = true},
+      {.name = "in another order", .move = in_place, .reordered = true},
+      {.name = "all of these", .move = elsewhere, .first = 5, .reversed = true, .reordered = true}};
+}
+
+// A cable with its ends in an order that does not depend on which is which.
+struct Cable {
+  Place a, b;
+  double tension = 0.0;
+};
+
+bool same(const Place& a, const Place& b) {
+  const double apart = std::abs(a.part - b.part);
+  return a.rod == b.rod && std::min(apart, 1 - apart) < 1e-9;
+}
+
+const Cable* find(const std::vector<Cable>& cables, const Cable& like) {
+  for (const Cable& cable : cables)
+    if ((same(cable.a, like.a) && same(cable.b, like.b)) ||
+        (same(cable.a, like.b) && same(cable.b, like.a)))
+      return &cable;
+  return nullptr;
+}
+
+// The size in which distances are told, by definition that of a box along the axes.
+double size_of(const std::vector<Eigen::Matrix3Xd>& targets) {
+  std::vector<geometry::Polyline> curves;
+  for (const auto& points : targets) curves.push_back({.points = points});
+  return geometry::bounding_box_diagonal(curves);
+}
+
+struct Balanced {
+  std::vector<Cable> cables{};
+  std::vector<Eigen::VectorXd> rest_lengths{};
+  double max_distance = 0.0;  // of the total length
+};
+
+Balanced balanced(const io::Scene& scene) {
+  const auto prepared = pipeline::prepare(scene);
+  REQUIRE(prepared);
+  const auto candidates =
+      sparsify::candidates(prepared->structure, prepared->target.points, prepared->rules);
+  REQUIRE(candidates);
+  const double size = size_of(prepared->target.points);
+  const auto stage = sparsify::balance({prepared->structure, prepared->start}, prepared->target,
+                                       *candidates, nullptr, {.percent = 0.03 / size});
+  REQUIRE(stage.sound);
+  Balanced result{.max_distance = stage.trace.back().max_percent / 100 * size};
+  for (const auto& rod : stage.network.structure.rods)
+    result.rest_lengths.push_back(rod.rest_lengths);
+  const Eigen::VectorXd tensions = sparsify::cable_tensions(stage.network);
+  const auto place = [&](const springs::End& end) -> Place {
+    const auto& on_rod = std::get<springs::OnRod>(end);
+    return {on_rod.rod, on_rod.s / result.rest_lengths[on_rod.rod].sum()};
+  };
+  const auto& cables = stage.network.structure.cables;
+  for (std::size_t c = 0; c < cables.size(); ++c)
+    result.cables.push_back({place(cables[c].a), place(cables[c].b), tensions[c]});
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("the network that balances forces is the same however its target is seen") {
+  const auto scene = GENERATE(scene_of({ring(30, 0.3)}), linked_scene());
+  const Balanced here = balanced(scene);
+  REQUIRE(here.cables.size() > 5);
+  for (const View& view : views()) {
+    CAPTURE(view.name, scene.rods.size());
+    io::Scene seen = scene;
+    for (auto& rod : seen.rods) rod.target.points = view.points(rod.target.points);
+    if (view.reordered) std::ranges::reverse(seen.rods);
+    const Balanced there = balanced(seen);
+    CHECK(there.max_distance == Approx(here.max_distance).epsilon(1e-5));
+    REQUIRE(there.cables.size() == here.cables.size());
+    for (const Cable& cable : there.cables) {
+      const Cable* const like = find(here.cables, {view.seen(cable.a, here.rest_lengths),
+                                                   view.seen(cable.b, here.rest_lengths)});
+      REQUIRE(like != nullptr);
+      CHECK(cable.tension == Approx(like->tension).epsilon(1e-5));
+    }
+  }
+}
+
+TEST_CASE("what a design promises it keeps however it is seen") {
+  const io::Design design = designed(linked_scene());
+  REQUIRE(design.status == io::DesignStatus::complete);
+  std::vector<Eigen::VectorXd> rest_lengths;
+  for (const auto& rod : design.rods) rest_lengths.push_back(rod.rest_lengths);
+  const auto size = [](const io::Design& of) {
+    std::vector<Eigen::Matrix3Xd> targets;
+    for (const auto& rod : of.rods) targets.push_back(rod.target);
+    return size_of(targets);
+  };
+  for (const View& view : views()) {
+    CAPTURE(view.name);
+    io::Design seen = design;
+    for (auto& rod : seen.rods) {
+      rod.target = view.points(rod.target);
+      rod.pose = view.points(rod.pose);
+      const auto edges = static_cast<int>(rod.rest_lengths.size());
+      const Eigen::VectorXd lengths = rod.rest_lengths;
+      for (int i = 0; i < edges; ++i) rod.rest_lengths[i] = lengths[view.edge(i, edges)];
+    }
+    if (view.reordered) std::ranges::reverse(seen.rods);
+    // Looked at the other way round, the view is undone.
+    for (auto& cable : seen.cables)
+      for (io::CableEnd* end : {&cable.a, &cable.b}) {
+        const double length = rest_lengths[end->rod].sum();
+        const double start = rest_lengths[end->rod].head(view.first).sum();
+        const double s = view.reversed ? start - end->s : end->s - start;
+        end->s = s - length * std::floor(s / length);
+        if (view.reordered) end->rod = static_cast<int>(design.rods.size()) - 1 - end->rod;
+      }
+    const auto found = pipeline::simulate(seen, {.start = pipeline::Start::target});
+    REQUIRE(found);
+    REQUIRE(found->usable());
+    CHECK(found->moved_percent < 1e-4);
+    const io::Design& there = found->design;
+    const double scale = size(design) / size(there);
+    CHECK(there.error->max_percent == Approx(scale * design.error->max_percent).epsilon(1e-4));
+    CHECK(there.error->rms_percent == Approx(scale * design.error->rms_percent).epsilon(1e-4));
+    CHECK(there.certificate->stable);
+    CHECK(there.certificate->smallest_eigenvalue ==
+          Approx(design.certificate->smallest_eigenvalue).epsilon(1e-4));
+    for (std::size_t c = 0; c < design.cables.size(); ++c)
+      CHECK(there.cables[c].tension == Approx(design.cables[c].tension).epsilon(1e-4));
+  }
+}
