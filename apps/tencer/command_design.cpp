@@ -231,9 +231,10 @@ void add_design(CLI::App& app, Command& chosen) {
       ->check(CLI::IsMember({"max", "rms"}));
   command
       ->add_option("--symmetry", request->symmetry,
-                   "Whether the cables keep the target's symmetries [the scene's, else " +
+                   "Whether the cables keep the target's symmetries, or you are told of them [the "
+                   "scene's, else " +
                        io::DesignSettings{}.symmetry + "]")
-      ->check(CLI::IsMember({"none", "detect"}));
+      ->check(CLI::IsMember({"none", "offer", "detect"}));
   command
       ->add_option("--method", request->method,
                    "The way to a network [the scene's, else " + io::DesignSettings{}.method + "]")

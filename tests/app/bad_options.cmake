@@ -37,7 +37,7 @@ foreach(value 0 -1 2.5 many 99999999999)
 endforeach()
 refused("--method: " "force-balance,dense-springs" design ring.obj -o out --method luck)
 refused("--objective: " "max,rms" design ring.obj -o out --objective mean)
-refused("--symmetry: " "none,detect" design ring.obj -o out --symmetry some)
+refused("--symmetry: " "none,offer,detect" design ring.obj -o out --symmetry some)
 
 # Options that do not go together.
 refused("--cables: " "drop --cables" design ring.obj -o out --trade-off --cables 5)

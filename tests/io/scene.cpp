@@ -9,6 +9,7 @@
 
 using namespace tencer::io;
 namespace geometry = tencer::geometry;
+using Catch::Matchers::Contains;
 using std::numbers::pi;
 
 namespace {
@@ -553,4 +554,53 @@ TEST_CASE("no text makes the scene reader throw") {
     if (!scene) REQUIRE(scene.error().where.starts_with(folder.path().string()));
   }
   CHECK(read >= 250);
+}
+
+TEST_CASE("symmetries in a scene") {
+  const Curves folder;
+  const std::string rod = "[[rod]]\ncurve = 'ring.obj'\n[design]\n";
+  CHECK(folder.scene(rod).design.symmetry == "offer");
+  for (const std::string word : {"none", "offer", "detect"})
+    CHECK(folder.scene(rod + "symmetry = '" + word + "'").design.symmetry == word);
+  const auto given =
+      folder
+          .scene(rod +
+                 "symmetry = [{fold = 4, axis = [0, 0, 2]}, {normal = [1, 0, 0], point = "
+                 "[2, 2, 0]}]")
+          .design;
+  CHECK(given.symmetry == "given");
+  REQUIRE(given.generators.size() == 2);
+  const auto& rotation = std::get<Rotation>(given.generators[0]);
+  CHECK(rotation.fold == 4);
+  CHECK(rotation.axis == Eigen::Vector3d(0, 0, 2));
+  CHECK_FALSE(rotation.point);
+  const auto& reflection = std::get<Reflection>(given.generators[1]);
+  CHECK(reflection.normal == Eigen::Vector3d::UnitX());
+  CHECK(*reflection.point == Eigen::Vector3d(2, 2, 0));
+
+  const auto error = [&](const std::string& value) {
+    return folder.error(rod + "symmetry = " + value);
+  };
+  CHECK_THAT(error("'some'"), Contains("s.toml:4: design.symmetry: expected one of"));
+  CHECK_THAT(error("[3]"), Contains("design.symmetry[0]: expected a table"));
+  CHECK_THAT(error("[{fold = 1, axis = [0, 0, 1]}]"), Contains("a whole number from 2"));
+  CHECK_THAT(error("[{fold = 3}]"), Contains("the key design.symmetry[0].axis is missing"));
+  CHECK_THAT(error("[{axis = [0, 0, 1]}]"), Contains("the key design.symmetry[0].fold is missing"));
+  CHECK_THAT(error("[{normal = [0, 0, 0]}]"),
+             Contains("design.symmetry[0].normal: must not be zero"));
+  CHECK_THAT(error("[{fold = 2, normal = [0, 0, 1]}]"), Contains("make them two tables"));
+  CHECK_THAT(error("[{mirror = [0, 0, 1]}]"), Contains("unknown key design.symmetry[0].mirror"));
+}
+
+TEST_CASE("pins are handed over only where there are pins and anchors") {
+  const Curves folder;
+  const std::string design = "[[rod]]\ncurve = 'line.csv'\n[design]\nhand_over = true\n";
+  const std::string pinned = "pinned = [{rod = 0, vertex = 0}]\n";
+  const std::string frame = "frame = {shape = 'cube'}\n";
+  CHECK(folder.scene(pinned + frame + design).design.hand_over);
+  CHECK_FALSE(folder.scene("[[rod]]\ncurve = 'line.csv'").design.hand_over);
+  CHECK(folder.error(frame + design) ==
+        "s.toml:5: design.hand_over: is true, but the scene has no pinned vertices to hand over");
+  CHECK_THAT(folder.error(pinned + design), Contains("design.hand_over: is true, but the scene has "
+                                                     "no anchors to hand its pins over to"));
 }

@@ -135,9 +135,39 @@ void read_rod_pairs(const TomlTable& design, Scene& scene) {
   scene.design.rod_pairs = std::move(pairs);
 }
 
+SymmetryGenerator read_generator(const TomlTable& table) {
+  table.only({"fold", "axis", "normal", "point"});
+  const auto direction = [&](std::string_view key) {
+    const Eigen::Vector3d value = table.need(key, table.point(key));
+    if (!(value.norm() > 0)) table.fail(key, "must not be zero: it has no direction");
+    return value;
+  };
+  if (table.has("normal")) {
+    for (const std::string_view key : {"fold", "axis"})
+      if (table.has(key))
+        table.fail(key, "is of a rotation, normal of a reflection; make them two tables");
+    return Reflection{.normal = direction("normal"), .point = table.point("point")};
+  }
+  constexpr int most_folds = 240;
+  return Rotation{.fold = table.need("fold", table.integer("fold", 2, most_folds)),
+                  .axis = direction("axis"),
+                  .point = table.point("point")};
+}
+
+void read_symmetry(const TomlTable& design, DesignSettings& settings) {
+  if (!design.is_array("symmetry")) {
+    constexpr std::array<std::string_view, 3> words{"none", "offer", "detect"};
+    settings.symmetry = design.one_of("symmetry", words).value_or(settings.symmetry);
+    return;
+  }
+  settings.symmetry = "given";
+  for (const TomlTable& table : design.tables("symmetry"))
+    settings.generators.push_back(read_generator(table));
+}
+
 void read_design(const TomlTable& design, Scene& scene) {
   design.only({"method", "optimizer", "hessian", "max_error", "cables", "objective", "symmetry",
-               "rod_pairs", "external", "longest_cable", "weights", "forbidden_arcs",
+               "rod_pairs", "external", "hand_over", "longest_cable", "weights", "forbidden_arcs",
                "forbidden_vertices", "sparsity_weights", "spring_stiffness", "greedy_threshold",
                "threads"});
   DesignSettings& settings = scene.design;
@@ -147,7 +177,7 @@ void read_design(const TomlTable& design, Scene& scene) {
   };
   choose("method", {"force-balance", "dense-springs"}, settings.method);
   choose("objective", {"max", "rms"}, settings.objective);
-  choose("symmetry", {"none", "detect"}, settings.symmetry);
+  read_symmetry(design, settings);
   choose("optimizer", {"gauss-newton", "ipopt", "mma", "ccsaq"}, settings.optimizer);
   choose("hessian", {"limited-memory", "gauss-newton", "exact"}, settings.hessian);
   if (design.has("hessian"))
@@ -171,6 +201,13 @@ void read_design(const TomlTable& design, Scene& scene) {
     design.fail("external",
                 "is true, but the scene has no anchors; add anchors = [[x, y, z], ...] or "
                 "frame = {shape = \"cube\"}");
+  settings.hand_over = design.boolean("hand_over").value_or(settings.hand_over);
+  if (settings.hand_over && scene.pinned.empty())
+    design.fail("hand_over", "is true, but the scene has no pinned vertices to hand over");
+  if (settings.hand_over && scene.anchors.cols() == 0)
+    design.fail("hand_over",
+                "is true, but the scene has no anchors to hand its pins over to; add anchors = "
+                "[[x, y, z], ...] or frame = {shape = \"cube\"}");
   read_rod_pairs(design, scene);
   read_weights(design, scene);
   read_forbidden(design, scene);

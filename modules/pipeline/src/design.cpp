@@ -3,6 +3,7 @@
 #include <tencer/pipeline/design.hpp>
 #include <tencer/pipeline/prepare.hpp>
 #include <tencer/pipeline/simulate.hpp>
+#include <tencer/pipeline/symmetry.hpp>
 #include <utility>
 
 #include "record.hpp"
@@ -39,10 +40,24 @@ std::string why_no_candidates(const io::Scene& scene, const Prepared& prepared,
   return "no cable is possible: the vertices are all neighbours on their rod, or held in place";
 }
 
+core::Expected<CandidateSets> candidate_sets(const io::Scene& scene, const Prepared& prepared) {
+  const auto& points = prepared.target.points;
+  auto with_pins = sparsify::candidates(prepared.structure, points, prepared.rules);
+  if (!with_pins)
+    return core::Error{scene.source, why_no_candidates(scene, prepared, with_pins.error())};
+  if (!scene.design.hand_over) return CandidateSets{std::move(*with_pins), {}};
+  equilibrium::Structure released = prepared.structure;
+  released.pins.clear();
+  auto without_pins = sparsify::candidates(released, points, prepared.rules);
+  if (!without_pins) return core::Error{scene.source, without_pins.error().message};
+  return CandidateSets{std::move(*with_pins), std::move(*without_pins)};
+}
+
 // The design file with its cables; what depends on the equilibrium is missing.
 io::Design file_of(const Prepared& prepared, const sparsify::Network& network) {
   const Units& units = prepared.units;
   io::Design design = prepared.file;
+  if (network.structure.pins.empty()) design.pinned.clear();  // they may have been handed over
   for (const auto& cable : network.structure.cables)
     design.cables.push_back({.a = file_end(cable.a, network.structure, units),
                              .b = file_end(cable.b, network.structure, units),
@@ -72,6 +87,12 @@ io::TraceRow check_settling(io::Design& design) {
   return row;
 }
 
+// Whether it has few enough cables, or is close enough.
+bool answers(const io::DesignSettings& settings, const io::Design& design) {
+  return settings.cables ? static_cast<int>(design.cables.size()) <= *settings.cables
+                         : design.error->max_percent <= settings.max_error;
+}
+
 // The design of a network: complete unless it falls short of what the settings ask for.
 io::Design certified(const io::DesignSettings& settings, const Prepared& prepared,
                      const sparsify::Network& network) {
@@ -80,78 +101,111 @@ io::Design certified(const io::DesignSettings& settings, const Prepared& prepare
          prepared.units, design);
   const io::TraceRow row = check_settling(design);
   design.trace.push_back(row);
-  const bool close = settings.cables ? static_cast<int>(design.cables.size()) <= *settings.cables
-                                     : design.error->max_percent <= settings.max_error;
-  design.status = close && design.certificate->stable && *design.certificate->settles_from_target
+  design.status = answers(settings, design) && design.certificate->stable &&
+                          *design.certificate->settles_from_target
                       ? io::DesignStatus::complete
                       : io::DesignStatus::tolerance_not_reached;
   return design;
 }
 
-// The scene checked and ready, with all candidates, and the networks found.
-struct Run {
+void offer_symmetry(const Prepared& prepared, const DesignOptions& options) {
+  if (!options.log) return;
+  const std::string found = symmetry_in_words(prepared);
+  if (found.empty()) return;
+  options.log(core::Level::info, "the target has " + found +
+                                     ": with symmetry = \"detect\" in [design], or --symmetry "
+                                     "detect, the cables have it too");
+}
+
+// The scene checked and ready, with all that its cables can be chosen from.
+struct Job {
+  const io::Scene& scene;
   Prepared prepared{};
-  Outcome outcome{};
+  CandidateSets candidates{};
+  optimize::Backend backend{};
 };
 
-core::Expected<Run> run(const io::Scene& scene, bool every_number, const DesignOptions& options) {
+core::Expected<Job> begin(const io::Scene& scene, const DesignOptions& options) {
   const io::DesignSettings& settings = scene.design;
-  const auto backend = optimize::find_backend(options.backends, settings.optimizer);
+  auto backend = optimize::find_backend(options.backends, settings.optimizer);
   if (!backend) return core::Error{scene.source, "design.optimizer: " + backend.error().message};
   auto prepared = prepare(scene);
   if (!prepared) return prepared.error();
   for (const Part& part : prepared->parts)
     if (!part.used) say(options, core::Level::debug, "no " + part.name + ": " + part.why);
-  const auto candidates =
-      sparsify::candidates(prepared->structure, prepared->target.points, prepared->rules);
-  if (!candidates)
-    return core::Error{scene.source, why_no_candidates(scene, *prepared, candidates.error())};
-  Outcome outcome = run_route(settings, *prepared, *candidates, *backend, every_number, options);
-  return Run{std::move(*prepared), std::move(outcome)};
+  auto candidates = candidate_sets(scene, *prepared);
+  if (!candidates) return candidates.error();
+  if (settings.symmetry == "offer" && settings.method == "force-balance")
+    offer_symmetry(*prepared, options);
+  return Job{scene, std::move(*prepared), std::move(*candidates), std::move(*backend)};
+}
+
+Outcome run(const Job& job, bool every_number, const DesignOptions& options) {
+  return run_route(job.scene.design, job.prepared, job.candidates, job.backend, every_number,
+                   options);
+}
+
+// The networks certified one after the other, from the one asked for on, until one is complete: it
+// is better than one with fewer cables that does not stand or settles elsewhere. When none is, the
+// one asked for. Its row of the trace comes last.
+io::Design first_complete(const Job& job, const Outcome& outcome, int tries) {
+  const io::DesignSettings& settings = job.scene.design;
+  const int step = settings.cables ? -1 : 1;
+  io::Design best;
+  std::vector<io::TraceRow> checks;
+  int i = outcome.asked;
+  for (int k = 0; k < tries && i >= 0 && i < static_cast<int>(outcome.networks.size());
+       i += step, ++k) {
+    io::Design design = certified(settings, job.prepared, outcome.networks[i]);
+    const bool complete = design.status == io::DesignStatus::complete;
+    if (complete || k == 0) std::swap(best, design);
+    if (!design.trace.empty()) checks.push_back(design.trace.back());
+    if (complete) break;
+  }
+  checks.push_back(best.trace.back());
+  best.trace = outcome.trace;
+  best.trace.insert(best.trace.end(), checks.begin(), checks.end());
+  return best;
 }
 
 }  // namespace
 
 core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& options) {
-  auto found = run(scene, false, options);
-  if (!found) return found.error();
-  auto& [prepared, outcome] = *found;
-  const auto& asked = outcome.networks[outcome.asked];
+  const auto job = begin(scene, options);
+  if (!job) return job.error();
+  const Outcome outcome = run(*job, false, options);
   if (outcome.interrupted) {
-    io::Design design = file_of(prepared, asked);
-    record(asked.structure, asked.state, sparsify::cable_tensions(asked), prepared.target,
-           prepared.units, design);
-    design.trace = std::move(outcome.trace);
+    const auto& asked = outcome.networks[outcome.asked];
+    io::Design design = file_of(job->prepared, asked);
+    record(asked.structure, asked.state, sparsify::cable_tensions(asked), job->prepared.target,
+           job->prepared.units, design);
+    design.trace = outcome.trace;
     design.status = io::DesignStatus::interrupted;
     return design;
   }
-  // A network that passes all the tests of the built form is better than one with fewer cables that
-  // does not.
-  constexpr int tried = 6;
-  io::Design design = certified(scene.design, prepared, asked);
-  std::vector<io::TraceRow> checks = design.trace;
-  const int step = scene.design.cables ? -1 : 1;
-  for (int i = outcome.asked + step, k = 1;
-       design.status != io::DesignStatus::complete && k < tried && i >= 0 &&
-       i < static_cast<int>(outcome.networks.size());
-       i += step, ++k) {
-    io::Design next = certified(scene.design, prepared, outcome.networks[i]);
-    checks.push_back(next.trace.back());
-    if (next.status == io::DesignStatus::complete) design = std::move(next);
+  constexpr int tries = 6;
+  io::Design design = first_complete(*job, outcome, tries);
+  if (design.status == io::DesignStatus::complete || !answers(scene.design, design)) return design;
+  say(options, core::Level::info,
+      "these networks do not settle from the target: looking at every number of cables");
+  const Outcome further = run(*job, true, options);
+  io::Design other = first_complete(*job, further, static_cast<int>(further.networks.size()));
+  if (other.status != io::DesignStatus::complete) {
+    if (further.interrupted) design.status = io::DesignStatus::interrupted;
+    return design;
   }
-  design.trace = std::move(outcome.trace);
-  design.trace.insert(design.trace.end(), checks.begin(), checks.end());
-  return design;
+  other.trace.insert(other.trace.begin(), design.trace.begin(), design.trace.end());
+  return other;
 }
 
 core::Expected<std::vector<io::Design>> trade_off(const io::Scene& scene,
                                                   const DesignOptions& options) {
-  auto found = run(scene, true, options);
-  if (!found) return found.error();
-  auto& [prepared, outcome] = *found;
+  const auto job = begin(scene, options);
+  if (!job) return job.error();
+  const Outcome outcome = run(*job, true, options);
   std::vector<io::Design> designs;
   for (const auto& network : outcome.networks) {
-    io::Design design = certified(scene.design, prepared, network);
+    io::Design design = certified(scene.design, job->prepared, network);
     design.trace.insert(design.trace.begin(), outcome.trace.begin(), outcome.trace.end());
     if (outcome.interrupted) design.status = io::DesignStatus::interrupted;
     designs.push_back(std::move(design));

@@ -100,10 +100,17 @@ Part symmetry(const io::Scene& scene, const Prepared& prepared) {
   if (prepared.symmetry)
     return {"symmetry", true,
             counted(prepared.symmetry->order(), "operation") + ", cables come and go in orbits"};
-  if (scene.design.symmetry == "none") return {"symmetry", false, "symmetry = \"none\""};
+  if (scene.design.symmetry == "none" || scene.design.symmetry == "offer")
+    return {"symmetry", false, "symmetry = \"" + scene.design.symmetry + "\""};
   return {"symmetry", false,
           scene.design.method == "force-balance" ? "rods, target and anchors have none"
                                                  : scene.design.method + " does not keep it"};
+}
+
+Part hand_over(const io::Scene& scene) {
+  return {
+      "hand-over", scene.design.hand_over,
+      scene.design.hand_over ? "in the end cables to anchors take the place of pins" : "pins stay"};
 }
 
 Part optimizer(const io::Scene& scene) {
@@ -118,6 +125,7 @@ std::vector<Part> parts_of(const io::Scene& scene, const Prepared& prepared) {
   std::vector<Part> parts{theta(prepared.structure), z(scene)};
   if (const int held = held_coordinates(prepared.structure); held > 0)
     parts.push_back({"pinned coordinates", false, counted(held, "unknown") + " fewer"});
+  if (!scene.pinned.empty()) parts.push_back(hand_over(scene));
   parts.insert(parts.end(),
                {registration(scene, prepared), loads(prepared.structure), external(scene, prepared),
                 symmetry(scene, prepared), optimizer(scene),

@@ -4,7 +4,7 @@
 #include <tencer/geometry/hull.hpp>
 #include <tencer/pipeline/convert.hpp>
 #include <tencer/pipeline/prepare.hpp>
-#include <tencer/symmetry/detect.hpp>
+#include <tencer/pipeline/symmetry.hpp>
 
 #include "frames.hpp"
 #include "parts.hpp"
@@ -76,26 +76,6 @@ sparsify::Rules scaled_rules(const io::Scene& scene, const equilibrium::Structur
   return rules;
 }
 
-// The symmetries of the scene's target and of everything else that matters.
-std::optional<symmetry::Group> detected(const Prepared& prepared) {
-  const auto& structure = prepared.structure;
-  symmetry::Figure figure{.anchors = structure.anchors};
-  for (std::size_t r = 0; r < structure.rods.size(); ++r) {
-    const auto& rod = structure.rods[r];
-    figure.curves.push_back({.points = prepared.target.points[r], .closed = rod.closed});
-    figure.rods.emplace_back(rod.rest_lengths, rod.closed);
-    int alike = 0;
-    const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); };
-    while (!same(structure.rods[alike].section.EA, rod.section.EA) ||
-           !same(structure.rods[alike].section.EI1, rod.section.EI1))
-      ++alike;
-    figure.classes.push_back(alike);
-  }
-  symmetry::Group group = symmetry::detect(figure).group;
-  if (group.order() == 1) return std::nullopt;
-  return group;
-}
-
 // Without pins and loads, cables to anchors can only balance when these surround the target (paper
 // section 5.2).
 std::optional<core::Error> check_anchors(const io::Scene& scene) {
@@ -113,6 +93,35 @@ std::optional<core::Error> check_anchors(const io::Scene& scene) {
     else
       message << "vertex " << outside.point << " of rod " << (&rod - scene.rods.data()) << " is "
               << outside.distance << ' ' << scene.length_unit << " outside";
+    return core::Error{scene.source, message.str()};
+  }
+  return {};
+}
+
+// Whatever the force at a pin turns out to be, there have to be anchors to take it over.
+std::optional<core::Error> check_hand_over(const io::Scene& scene) {
+  if (!scene.design.hand_over) return {};
+  for (const io::Pin& pin : scene.pinned) {
+    const Eigen::Vector3d point = scene.rods[pin.rod].target.points.col(pin.vertex);
+    Eigen::Matrix3Xd within(3, 0);
+    for (const auto& anchor : scene.anchors.colwise()) {
+      if ((anchor - point).norm() > scene.design.longest_cable.value_or(INFINITY)) continue;
+      within.conservativeResize(3, within.cols() + 1);
+      within.rightCols(1) = anchor;
+    }
+    // Well inside: on the hull itself some forces have no anchors.
+    constexpr double clear = 1e-3;
+    if (within.cols() > 0) {
+      const Eigen::Vector3d centre = within.rowwise().mean();
+      within = ((1 - clear) * (within.colwise() - centre)).colwise() + centre;
+      if (geometry::outside_hull(within, point, scene.planar).point < 0) continue;
+    }
+    std::ostringstream message;
+    message << "design.hand_over: the anchors "
+            << (scene.design.longest_cable ? "that the longest cable reaches " : "")
+            << "must surround every pinned vertex, but vertex " << pin.vertex << " of rod "
+            << pin.rod << " is not between them; a frame, such as {shape = \"cube\"}, is about "
+            << "all rods";
     return core::Error{scene.source, message.str()};
   }
   return {};
@@ -137,6 +146,7 @@ std::optional<core::Error> check_loads(const io::Scene& scene, const Prepared& p
 
 core::Expected<Prepared> prepare(const io::Scene& scene) {
   if (auto error = check_anchors(scene)) return *error;
+  if (auto error = check_hand_over(scene)) return *error;
   Prepared prepared{.file = file_of(scene)};
   prepared.units = units_of(prepared.file);
   prepared.structure = structure_of(prepared.file, Cables::inextensible, prepared.units);
@@ -149,8 +159,11 @@ core::Expected<Prepared> prepare(const io::Scene& scene) {
   prepared.start = start_of(scene, prepared.structure, prepared.target.points);
   for (std::size_t r = 0; r < prepared.start.size(); ++r)
     prepared.file.rods[r].target_directors = directors(prepared.start[r]);
-  if (scene.design.symmetry == "detect" && scene.design.method == "force-balance")
-    prepared.symmetry = detected(prepared);
+  if (scene.design.method == "force-balance") {
+    auto group = symmetry_of(scene, prepared);
+    if (!group) return group.error();
+    prepared.symmetry = std::move(*group);
+  }
   prepared.parts = parts_of(scene, prepared);
   return prepared;
 }

@@ -1,7 +1,10 @@
 #include "route.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <span>
 #include <sstream>
+#include <tencer/pipeline/hand_over.hpp>
 #include <tencer/sparsify/balance.hpp>
 #include <tencer/sparsify/decimate.hpp>
 #include <tencer/sparsify/dense.hpp>
@@ -45,7 +48,14 @@ class Route {
 
   template <class Stage>
   Route& then(Stage&& stage) {
-    if (result_.interrupted || (begun_ && result_.network.structure.cables.empty())) return *this;
+    if (begun_ && result_.network.structure.cables.empty()) return *this;
+    return always(stage);
+  }
+
+  // Also without cables.
+  template <class Stage>
+  Route& always(Stage&& stage) {
+    if (result_.interrupted) return *this;
     begun_ = true;
     sparsify::StageResult next = stage(result_.network);
     for (const auto& row : next.trace) {
@@ -72,7 +82,7 @@ class Route {
 }  // namespace
 
 Outcome run_route(const io::DesignSettings& settings, const Prepared& prepared,
-                  std::span<const springs::Cable> candidates, const optimize::Backend& backend,
+                  const CandidateSets& candidates, const optimize::Backend& backend,
                   bool every_number, const DesignOptions& options) {
   const sensitivity::Target& target = prepared.target;
   const sparsify::Control control{.stop = options.stop, .progress = options.progress};
@@ -80,12 +90,14 @@ Outcome run_route(const io::DesignSettings& settings, const Prepared& prepared,
   const sparsify::Network bare{prepared.structure, prepared.start};
   const symmetry::Group* const symmetry = prepared.symmetry ? &*prepared.symmetry : nullptr;
   std::vector<sparsify::Choice> choices;
-  const auto thin = [&](const sparsify::Network& network) {
+  std::optional<sparsify::Network> before_thinning;
+  const auto thin_to = [&](const sparsify::Network& network,
+                           std::span<const springs::Cable> possible, int cables, bool all_numbers) {
     auto thinned =
-        sparsify::thin(network, target, prepared.rules, candidates, symmetry,
+        sparsify::thin(network, target, prepared.rules, possible, symmetry,
                        {.max_percent = settings.max_error,
-                        .cables = settings.cables.value_or(0),
-                        .every_number = every_number,
+                        .cables = cables,
+                        .every_number = all_numbers,
                         .measure = settings.objective == "rms" ? sparsify::Measure::rms
                                                                : sparsify::Measure::largest,
                         .threads = threads_of(settings)},
@@ -93,14 +105,24 @@ Outcome run_route(const io::DesignSettings& settings, const Prepared& prepared,
     choices = std::move(thinned.choices);
     return std::move(thinned.stage);
   };
+  const auto thin = [&](const sparsify::Network& network) {
+    if (settings.hand_over) before_thinning = network;
+    if (!settings.hand_over || !settings.cables)
+      return thin_to(network, candidates.with_pins, settings.cables.value_or(0),
+                     every_number && !settings.hand_over);
+    // Room for the cables that come to these.
+    const int further =
+        static_cast<int>(prepared.structure.pins.size()) * (prepared.structure.planar ? 2 : 3);
+    return thin_to(network, candidates.with_pins, std::max(1, *settings.cables - further), false);
+  };
   const auto slide = [&](const sparsify::Network& network) {
     return sparsify::slide(network, target, prepared.rules, backend, outer, control);
   };
 
   sparsify::Network start = bare;
   if (settings.method == "dense-springs") {
-    start.structure.cables = sparsify::dense_springs(prepared.structure, target.points,
-                                                     {candidates.begin(), candidates.end()});
+    start.structure.cables =
+        sparsify::dense_springs(prepared.structure, target.points, candidates.with_pins);
     for (auto& cable : start.structure.cables) cable.stiffness *= settings.spring_stiffness / 100;
   }
   Route route(options, std::move(start));
@@ -123,12 +145,34 @@ Outcome run_route(const io::DesignSettings& settings, const Prepared& prepared,
   } else {
     route
         .then([&](const auto& network) {
-          return sparsify::balance(network, target, candidates, symmetry,
+          return sparsify::balance(network, target, candidates.with_pins, symmetry,
                                    {.percent = std::clamp(settings.max_error / 2, 1e-3, 0.1)},
                                    control);
         })
         .then(thin);
   }
+  if (settings.hand_over)
+    route
+        .always([&](const auto& network) {
+          // Few cables may leave so much to the pins that it is more than cables can take over:
+          // then from a network with more.
+          std::vector<sparsify::Network> pinned{network};
+          for (auto& choice : choices)
+            if (choice.network.structure.cables.size() > network.structure.cables.size())
+              pinned.push_back(std::move(choice.network));
+          if (before_thinning) pinned.push_back(std::move(*before_thinning));
+          choices.clear();
+          sparsify::StageResult handed;
+          for (const auto& one : pinned) {
+            handed = hand_over(one, target, symmetry, prepared.rules.longest, control);
+            if (handed.sound && handed.trace.back().max_percent <= settings.max_error) break;
+          }
+          return handed;
+        })
+        .then([&](const auto& network) {
+          return thin_to(network, candidates.without_pins, settings.cables.value_or(0),
+                         every_number);
+        });
 
   const sparsify::StageResult& result = route.result();
   Outcome outcome{.interrupted = result.interrupted};

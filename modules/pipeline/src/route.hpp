@@ -1,10 +1,10 @@
 // The stages from a prepared scene to networks of cables, by either method.
 #pragma once
 
-#include <span>
 #include <tencer/pipeline/design.hpp>
 #include <tencer/pipeline/prepare.hpp>
 #include <tencer/sparsify/thin.hpp>
+#include <vector>
 
 namespace tencer::pipeline {
 
@@ -16,9 +16,16 @@ struct Outcome {
   bool interrupted = false;
 };
 
-// every_number: networks of every number of cables on the way are fitted.
+// What cables can be chosen from, before and after pins are handed over to cables.
+struct CandidateSets {
+  std::vector<springs::Cable> with_pins{};
+  std::vector<springs::Cable> without_pins{};  // empty when none are handed over
+};
+
+// every_number: networks of every number of
+// cables on the way are fitted.
 Outcome run_route(const io::DesignSettings& settings, const Prepared& prepared,
-                  std::span<const springs::Cable> candidates, const optimize::Backend& backend,
+                  const CandidateSets& candidates, const optimize::Backend& backend,
                   bool every_number, const DesignOptions& options);
 
 }  // namespace tencer::pipeline

@@ -137,6 +137,10 @@ std::string complaint(const Generator& generator, const Misfit& worst, double to
   return out.str();
 }
 
+std::string objection(const Options& options, const Operation& operation) {
+  return options.objection ? options.objection(operation) : std::string();
+}
+
 }  // namespace
 
 Symmetry detect(const Figure& figure, const Options& options) {
@@ -155,7 +159,7 @@ Symmetry detect(const Figure& figure, const Options& options) {
     if (!operation) continue;
     refine(sampled, *operation, guesses.continuous ? Refine::shifts : Refine::shifts_and_map);
     const double miss = misfit(sampled, *operation).relative;
-    if (miss > options.tolerance) continue;
+    if (miss > options.tolerance || !objection(options, *operation).empty()) continue;
     const auto known = std::find_if(found.begin(), found.end(), [&](const Found& other) {
       return same_operation(other.operation, *operation, figure.rods);
     });
@@ -211,6 +215,8 @@ core::Expected<Symmetry> verify(const Figure& figure, std::span<const Generator>
     const Misfit worst = misfit(sampled, *operation);
     if (worst.relative > options.tolerance)
       return core::Error{where, complaint(generators[i], worst, options.tolerance)};
+    if (const std::string broken = objection(options, *operation); !broken.empty())
+      return core::Error{where, text(generators[i]) + " is none of the scene: it " + broken};
     operations.push_back(std::move(*operation));
   }
   auto group =

@@ -11,6 +11,7 @@
 #include <tencer/geometry/polyline.hpp>
 #include <tencer/io/load.hpp>
 #include <tencer/io/pin.hpp>
+#include <tencer/io/symmetry.hpp>
 #include <vector>
 
 namespace tencer::io {
@@ -64,10 +65,14 @@ struct DesignSettings {
   double max_error = 1.0;                    // percent of the bounding-box diagonal
   std::optional<int> cables = std::nullopt;  // the closest design with at most so many instead
   std::string objective = "max";             // what is made small: max, rms (of the distances)
-  std::string symmetry = "none";             // none, detect: orbits of cables stay together
+  // none; offer: those of the target are told of; detect: they are found, and orbits of cables stay
+  // together; given: likewise, those that `generators` make.
+  std::string symmetry = "offer";
+  std::vector<SymmetryGenerator> generators{};
   // Cables only within these pairs of rods; [i, i] is within a rod. None: all pairs.
   std::optional<std::vector<std::array<int, 2>>> rod_pairs = std::nullopt;
-  bool external = true;  // cables to the anchors, if there are any
+  bool external = true;    // cables to the anchors, if there are any
+  bool hand_over = false;  // pins: to cables to the anchors, once the pinned rods are designed
   std::optional<double> longest_cable = std::nullopt;
   // Where work can be shared out; none: as many as the machine has. The design is the same.
   std::optional<int> threads = std::nullopt;

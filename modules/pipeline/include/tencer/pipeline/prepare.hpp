@@ -54,7 +54,7 @@ struct Prepared {
 };
 
 // Errors name the scene's file or the curve a rod came from: a rod whose vertices meet, an anchor
-// on a rod, loads that nothing holds.
+// on a rod, loads that nothing holds, a symmetry that is not there.
 core::Expected<Prepared> prepare(const io::Scene& scene);
 
 }  // namespace tencer::pipeline
