@@ -74,6 +74,18 @@ sparsify::Network pinned_arc(int vertices, double angle) {
   return network;
 }
 
+// 100 long, to be handed over from its hinges to four anchors.
+io::Scene arc_scene(double angle) {
+  io::Scene scene = scene_of({{.points = 100 * elastica(40, angle).x, .closed = false}});
+  scene.planar = true;
+  scene.pinned = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = 39}};
+  scene.anchors.resize(3, 4);
+  scene.anchors << -20, 110, 110, -20, -20, -20, 60, 60, 0, 0, 0, 0;
+  scene.design.external = false;
+  scene.design.hand_over = true;
+  return scene;
+}
+
 }  // namespace
 
 TEST_CASE("three anchors take a force over, whatever its direction") {
@@ -219,13 +231,7 @@ TEST_CASE("pins that a symmetry maps onto each other get the same cables") {
 
 TEST_CASE("a design whose pins are handed over stands without them") {
   const double angle = 1.0;
-  io::Scene scene = scene_of({{.points = 100 * elastica(40, angle).x, .closed = false}});
-  scene.planar = true;
-  scene.pinned = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = 39}};
-  scene.anchors.resize(3, 4);
-  scene.anchors << -20, 110, 110, -20, -20, -20, 60, 60, 0, 0, 0, 0;
-  scene.design.external = false;
-  scene.design.hand_over = true;
+  const io::Scene scene = arc_scene(angle);
   const io::Design design = designed(scene);
   CHECK(design.status == io::DesignStatus::complete);
   CHECK(design.pinned.empty());
@@ -243,6 +249,40 @@ TEST_CASE("a design whose pins are handed over stands without them") {
   const double load = elastica(2, angle).load * scene.rods[0].section.EI[0] / 1e4;
   CHECK(on_left.x() == Approx(load).epsilon(0.05));
   CHECK(std::abs(on_left.y()) < 0.05 * load);
+}
+
+TEST_CASE("a number of cables counts those in place of pins, and all numbers are without pins") {
+  io::Scene scene = arc_scene(1.0);
+  SECTION("a number") {
+    scene.design.cables = 4;
+    const io::Design design = designed(scene);
+    CHECK(design.status == io::DesignStatus::complete);
+    CHECK(design.cables.size() <= 4);
+    CHECK(design.pinned.empty());
+  }
+  SECTION("all numbers") {
+    const auto designs = pipeline::trade_off(scene);
+    REQUIRE(designs);
+    for (const io::Design& design : *designs) {
+      CHECK(design.pinned.empty());
+      CHECK(std::ranges::any_of(design.cables, is_external));
+    }
+  }
+}
+
+TEST_CASE("an end that a pin does not pull at is just let go") {
+  // A straight rod: nothing to take over, and no cables.
+  Eigen::Matrix3Xd line = Eigen::Matrix3Xd::Zero(3, 10);
+  for (int i = 0; i < 10; ++i) line(0, i) = i;
+  io::Scene scene = scene_of({{.points = line, .closed = false}});
+  scene.pinned = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = 9}};
+  scene.anchors = cube(20);
+  scene.design.external = false;
+  scene.design.hand_over = true;
+  const io::Design design = designed(scene);
+  CHECK(design.cables.empty());
+  CHECK(design.pinned.empty());
+  CHECK(design.status == io::DesignStatus::complete);
 }
 
 TEST_CASE("anchors have to surround the pins that they take over") {

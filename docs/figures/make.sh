@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Makes the data of docs/figures.md anew and draws it; some minutes.
+#   docs/figures/make.sh [BIN]        BIN: folder of the built programs [build/release/bin]
+#   docs/figures/make.sh draw         only the drawing, from the data that is there
+# With gnuplot (Debian: gnuplot-nox).
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+if [[ ${1:-} != draw ]]; then
+  bin=$(cd "${1:-build/release/bin}" && pwd)
+  new=$(mktemp -d)
+  trap 'rm -rf "$new"' EXIT
+  echo "ring"
+  "$bin/bench_figures" ring >"$new/ring.csv"
+  echo "pruning"
+  "$bin/bench_figures" pruning examples/paper/torus-knot-5-3.toml >"$new/pruning.csv"
+  echo "weights"
+  status=0
+  "$bin/tencer" design docs/figures/weights.toml -o "$new/weights" --quiet || status=$?
+  [[ $status == 0 || $status == 3 ]]  # 3: not complete; its trace is all that counts here
+  {
+    echo "weight,springs,max_percent"
+    # The first descent; there is another when its network does not settle.
+    sed '/^slide/q' "$new/weights/trace.csv" |
+      sed -n 's/^sparsify,[^,]*,\([^,]*\),\([^,]*\),.*internal weight \([^,;"]*\).*/\3,\1,\2/p'
+  } >"$new/weights.csv"
+  echo "random closed rods"
+  "$bin/bench_figures" knots >"$new/knots.csv"
+  mv "$new"/*.csv docs/figures/
+fi
+cd docs/figures
+for figure in greedy weights ring pruning knots; do
+  gnuplot common.gp "$figure.gp"
+done
