@@ -177,7 +177,7 @@ core::Expected<ExitCode> run_study(StudyRequest request, const core::Log& log) {
   if (interrupt.token().stop_requested())
     std::cout << "interrupted: the same command goes on from here\n";
   if (short_of > 0) std::cout << short_of << " runs are not complete; the table says why\n";
-  if (!runs->empty()) std::cout << "see " << table.string() << '\n';
+  if (!rows->empty()) std::cout << "see " << table.string() << '\n';
   return short_of > 0 || interrupt.token().stop_requested() ? ExitCode::tolerance_not_reached
                                                             : ExitCode::ok;
 }

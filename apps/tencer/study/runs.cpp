@@ -121,7 +121,9 @@ std::optional<Row> make(const Run& run, const fs::path& folder, double limit,
   if (stop.stop_requested()) return std::nullopt;
   if (end.exit_code != 0 && end.exit_code != 3) return failed(run, end, log, limit);
   const auto design = io::read_design(design_of(folder, run));
-  if (!design) return Row{.run = run, .status = "failed", .message = design.error().text()};
+  if (!design)
+    return Row{
+        .run = run, .status = "failed", .seconds = end.seconds, .message = design.error().text()};
   Row row = row_of(run, *design, end.seconds);
   if (design->status == io::DesignStatus::interrupted)
     row.message = "interrupted at the time limit of " + short_text(limit) + " s";
