@@ -12,7 +12,7 @@ TEST_CASE("a plot has a block of data and a line of its script for each curve") 
                   .label_note = "cables",
                   .curves = {{.name = "one", .points = {{1, 0.5, "9"}, {2, 0.25, "7"}}},
                              {.name = "empty"},
-                             {.name = "two", .colour = 2, .dash = 3, .points = {{3, 1e-3, ""}}}}};
+                             {.name = "two", .colour = 2, .points = {{3, 1e-3, ""}}}}};
   const auto files = plot_files("knot", plot);
   REQUIRE(files.size() == 2);
   CHECK(files[0].name == "knot.dat");
@@ -23,7 +23,7 @@ TEST_CASE("a plot has a block of data and a line of its script for each curve") 
   CHECK_THAT(files[1].text, Contains("set title 'the rod''s own'"));
   CHECK_THAT(files[1].text, Contains("set xlabel 'seconds (cables)'"));
   CHECK_THAT(files[1].text, Contains("data index 0 using 1:2"));
-  CHECK_THAT(files[1].text, Contains("data index 1 using 1:2 with linespoints lt 2 dt 3"));
+  CHECK_THAT(files[1].text, Contains("data index 1 using 1:2 with linespoints lt 2 "));
   CHECK_THAT(files[1].text, !Contains("index 2"));
   CHECK(has_points(plot));
 }

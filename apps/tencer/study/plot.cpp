@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iomanip>
-#include <set>
 #include <sstream>
 
 namespace tencer::app::study {
@@ -52,22 +51,19 @@ std::string script(const std::string& name, const Plot& plot) {
        << quoted("seconds" + (plot.label_note.empty() ? "" : " (" + plot.label_note + ")"))
        << " noenhanced\nset ylabel " << quoted(plot.error_axis) << " noenhanced\n"
        << "set key outside below horizontal noenhanced\nset autoscale noextend\n"
-       << "set offsets graph 0.05, graph 0.05, graph 0.07, graph 0.05\n"
+       << "set offsets graph 0.05, graph 0.05, graph 0.1, graph 0.05\n"
        << "set linetype 1 lc rgb '#0060ad'\nset linetype 2 lc rgb '#d95319'\n"
        << "set linetype 3 lc rgb '#4f9d2f'\nset linetype 4 lc rgb '#7e2f8e'\n"
        << "set linetype 5 lc rgb '#a2842c'\nset linetype 6 lc rgb '#008b8b'\n"
        << "data = " << quoted(name + ".dat") << '\n';
   text << "plot";
   int block = 0;
-  std::set<std::string> named;
   for (const auto& curve : plot.curves) {
     if (!drawn(curve)) continue;
-    const bool first = named.insert(curve.name).second;
     text << (block > 0 ? ", \\\n     " : " ") << "data index " << block
-         << " using 1:2 with linespoints lt " << curve.colour << " dt " << curve.dash
-         << " pt 7 ps 0.45 " << (first ? "title " + quoted(curve.name) : "notitle")
-         << ", data index " << block << " using 1:2:3 with labels offset 0,0.7 font ',10' tc lt "
-         << curve.colour << " notitle";
+         << " using 1:2 with linespoints lt " << curve.colour << " pt 7 ps 0.45 title "
+         << quoted(curve.name) << ", data index " << block
+         << " using 1:2:3 with labels offset 0,0.7 font ',10' tc lt " << curve.colour << " notitle";
     ++block;
   }
   text << '\n';

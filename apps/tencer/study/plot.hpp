@@ -14,12 +14,10 @@ struct PlotPoint {
   std::string label{};  // beside the point; may be empty
 };
 
-// Points joined by a line in the given order. Curves of the same colour (from 1) have their name in
-// the key once, those of the same dash (from 1) are drawn alike.
+// Points joined by a line in the given order. Colours are numbered from 1.
 struct PlotCurve {
   std::string name{};
   int colour = 1;
-  int dash = 1;
   std::vector<PlotPoint> points{};
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <set>
 #include <sstream>
 #include <system_error>
 #include <tencer/io/file.hpp>
@@ -133,35 +134,36 @@ std::optional<Row> make(const Run& run, const fs::path& folder, double limit,
 }
 
 Plot plot_of(const std::string& scene, std::span<const Row> rows, const fs::path& folder) {
+  std::vector<const Row*> found;
+  std::set<double> resolutions;
+  for (const Row& row : rows)
+    if (row.run.scene == scene) {
+      resolutions.insert(row.run.resolution);
+      if (row.cables) found.push_back(&row);
+    }
+  const bool several = resolutions.size() > 1;
+  std::ranges::stable_sort(found, {}, [](const Row* row) { return row->run.resolution; });
+
   Plot plot{.title = scene,
             .error_axis = "max error, % of the size of the target",
-            .label_note = "numbers at points: cables"};
-  std::vector<std::string> colours;
-  std::vector<double> resolutions;
-  for (const Row& row : rows)
-    if (row.run.scene == scene && !std::ranges::count(resolutions, row.run.resolution))
-      resolutions.push_back(row.run.resolution);
-  std::ranges::sort(resolutions);
-  const auto place = [](const auto& list, const auto& value) {
-    return static_cast<int>(std::ranges::find(list, value) - list.begin()) + 1;
-  };
-  for (const Row& row : rows) {
-    if (row.run.scene != scene || !row.cables) continue;
-    const std::string series = row.run.method + ", " + row.run.optimizer;
-    if (!std::ranges::count(colours, series)) colours.push_back(series);
-    PlotCurve curve{.name = series,
-                    .colour = place(colours, series),
-                    .dash = place(resolutions, row.run.resolution)};
-    if (resolutions.size() > 1) curve.name += ", x " + short_text(row.run.resolution);
-    const auto design = io::read_design(design_of(folder, row.run));
-    if (design) curve.points = stages(*design);
-    // Several resolutions leave room for the ends only.
-    if (resolutions.size() > 1)
-      for (std::size_t i = 1; i < curve.points.size(); ++i) curve.points[i].label.clear();
-    curve.points.push_back({.seconds = row.seconds,
-                            .error = row.max_percent.value_or(0.0),
-                            .label = std::to_string(*row.cables)});
-    plot.curves.push_back(std::move(curve));
+            .label_note =
+                several ? "numbers at points: cables, resolution" : "numbers at points: cables"};
+  for (const Row* row : found) {
+    const std::string name = row->run.method + ", " + row->run.optimizer;
+    auto curve = std::ranges::find(plot.curves, name, &PlotCurve::name);
+    if (curve == plot.curves.end()) {
+      const int colour = static_cast<int>(plot.curves.size()) + 1;
+      curve = plot.curves.insert(curve, {.name = name, .colour = colour});
+    }
+    PlotPoint design{.seconds = row->seconds,
+                     .error = row->max_percent.value_or(0.0),
+                     .label = std::to_string(*row->cables)};
+    if (several) {
+      design.label += ", x" + short_text(row->run.resolution);
+    } else if (const auto file = io::read_design(design_of(folder, row->run))) {
+      curve->points = stages(*file);
+    }
+    curve->points.push_back(std::move(design));
   }
   return plot;
 }

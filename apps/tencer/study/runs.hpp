@@ -27,8 +27,9 @@ core::Expected<std::vector<Run>> runs_of(const Choice& choice);
 std::optional<Row> make(const Run& run, const std::filesystem::path& folder, double limit,
                         const std::stop_token& stop);
 
-// Error against run time of a scene's runs, stage by stage, with numbers of cables: from the table
-// and the designs in folder/runs.
+// Error against run time of a scene's runs with numbers of cables, a curve for each method and
+// optimizer: through the ends of the stages, from the designs in folder/runs; or, with several
+// resolutions, through the designs, from the table.
 Plot plot_of(const std::string& scene, std::span<const Row> rows,
              const std::filesystem::path& folder);
 
