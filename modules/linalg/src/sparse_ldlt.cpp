@@ -104,7 +104,6 @@ Inertia SparseLdlt::inertia() const {
 }
 
 Eigen::MatrixXd SparseLdlt::solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) {
-  if (right_hand_sides.cols() == 0) return right_hand_sides;  // which CHOLMOD refuses
   const Eigen::MatrixXd packed = right_hand_sides;
   cholmod_dense view = view_of(packed.data(), packed.rows(), packed.cols());
   cholmod_dense* x = cholmod_solve(CHOLMOD_A, factor_, &view, &common_);

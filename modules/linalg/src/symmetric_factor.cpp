@@ -73,6 +73,7 @@ Eigen::MatrixXd SymmetricFactor::solve(
   auto& self = *implementation_;
   core::require(self.usable && right_hand_sides.rows() == self.size(),
                 "solve: needs a factorised matrix of the same size");
+  if (right_hand_sides.cols() == 0) return right_hand_sides;  // which CHOLMOD and Eigen mistake
   return self.is_dense ? self.dense.solve(right_hand_sides) : self.sparse.solve(right_hand_sides);
 }
 
