@@ -33,3 +33,14 @@ TEST_CASE("points that logarithmic axes cannot show are left out") {
   CHECK_FALSE(has_points(plot));
   CHECK_THAT(plot_files("none", plot)[0].text, !Contains("\n1 0"));
 }
+
+TEST_CASE("an axis within a decade or two has numbers of its own") {
+  const Plot plot{.curves = {{.points = {{3, 0.4, ""}, {9, 500, ""}}}}};
+  const std::string script = plot_files("near", plot)[1].text;
+  CHECK_THAT(script, Contains("set xtics (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50)"));
+  CHECK_THAT(script, !Contains("set ytics"));
+  const Plot nearer{.curves = {{.points = {{0.61, 0.7, ""}, {0.76, 0.71, ""}}}}};
+  const std::string fine = plot_files("nearer", nearer)[1].text;
+  CHECK_THAT(fine, Contains(", 0.6, 0.62, 0.64,"));
+  CHECK_THAT(fine, Contains("set ytics (0.48, 0.5,"));
+}

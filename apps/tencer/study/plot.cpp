@@ -1,7 +1,9 @@
 #include "plot.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace tencer::app::study {
@@ -40,6 +42,41 @@ std::string data(const Plot& plot) {
   return text.str();
 }
 
+// Numbers for an axis from `least` to `largest` and a little beyond: 1, 2 and 5 of each decade, or,
+// within one, equal steps.
+std::vector<double> numbers_along(double least, double largest) {
+  std::vector<double> numbers;
+  if (largest < 3 * least) {
+    double step = std::pow(10.0, std::floor(std::log10(0.5 * least)));
+    if (largest - least < 2 * step) step /= 5;
+    for (double k = std::floor(0.7 * least / step); k * step < 1.4 * largest; ++k)
+      numbers.push_back(k * step);
+    return numbers;
+  }
+  const int last = static_cast<int>(std::ceil(std::log10(largest)));
+  for (int decade = static_cast<int>(std::floor(std::log10(least))) - 1; decade <= last; ++decade)
+    for (const int digit : {1, 2, 5}) numbers.push_back(digit * std::pow(10.0, decade));
+  return numbers;
+}
+
+// Where fewer than two powers of ten may be on an axis, which would leave it without numbers; else
+// gnuplot's own choice.
+std::string tics(const Plot& plot, char axis, double PlotPoint::*value) {
+  double least = std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (const auto& curve : plot.curves)
+    for (const auto& point : curve.points)
+      if (on_axes(point)) {
+        least = std::min(least, point.*value);
+        largest = std::max(largest, point.*value);
+      }
+  if (!(largest < 100 * least)) return "";
+  std::ostringstream text;
+  for (const double number : numbers_along(least, largest))
+    text << (text.str().empty() ? "" : ", ") << number;
+  return std::string("set ") + axis + "tics (" + text.str() + ")\n";
+}
+
 std::string script(const std::string& name, const Plot& plot) {
   std::ostringstream text;
   text << "# gnuplot " << plain(name) << ".gp\n"
@@ -50,6 +87,7 @@ std::string script(const std::string& name, const Plot& plot) {
        << "set xlabel "
        << quoted("seconds" + (plot.label_note.empty() ? "" : " (" + plot.label_note + ")"))
        << " noenhanced\nset ylabel " << quoted(plot.error_axis) << " noenhanced\n"
+       << tics(plot, 'x', &PlotPoint::seconds) << tics(plot, 'y', &PlotPoint::error)
        << "set key outside below horizontal noenhanced\nset autoscale noextend\n"
        << "set offsets graph 0.05, graph 0.05, graph 0.1, graph 0.05\n"
        << "set linetype 1 lc rgb '#0060ad'\nset linetype 2 lc rgb '#d95319'\n"
