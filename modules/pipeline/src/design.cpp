@@ -191,6 +191,8 @@ core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& o
   const bool complete = design.status == io::DesignStatus::complete;
   if (complete && (scene.design.cables || design.cables.size() <= asked + few)) return design;
   if (!answers(scene.design, design)) return design;
+  // What never stood has nothing to be thinned from.
+  if (outcome.networks.size() == 1 && !design.certificate->stable) return design;
   say(options, core::Level::info,
       std::to_string(asked) + " cables do not settle from the target: looking at every number");
   const Outcome further = run(*job, true, options);
