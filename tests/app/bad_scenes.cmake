@@ -74,5 +74,16 @@ bad_scene("[design]\nmax_error = -1\n" "scene.toml:5: design.max_error" "expecte
 bad_scene("[design]\noptimizer = \"snopt\"\n" "scene.toml:5: design.optimizer" "ipopt, mma, ccsaq")
 bad_scene("[design]\noptimizer = \"mma\"\nhessian = \"exact\"\n" "scene.toml:6: design.hessian"
   "belongs to the optimizer ipopt")
+bad_scene("[design]\nhand_over = true\n" "scene.toml:5: design.hand_over"
+  "no pinned vertices to hand over")
+
+# Symmetries
+bad_scene("[design]\nsymmetry = [{fold = 5, axis = [0, 0, 1]}]\n" "scene.toml: design.symmetry[0]"
+  "misses what it should become by")
+bad_scene("[design]\nsymmetry = [{fold = 1, axis = [0, 0, 1]}]\n"
+  "scene.toml:5: design.symmetry[0].fold" "a whole number from 2")
+bad_scene("[design]\nsymmetry = [{normal = [0, 0, 0]}]\n" "scene.toml:5: design.symmetry[0].normal"
+  "must not be zero")
+bad_scene("[design]\nsymmetry = \"mirror\"\n" "scene.toml:5: design.symmetry" "detect")
 
 check_page("Scene files")
