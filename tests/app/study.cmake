@@ -97,7 +97,7 @@ expect_contains("${lines}" "ring,ring.obj,dense-springs,gauss-newton,1,complete,
 
 # Killed during a run of many seconds: a table with the runs before it, with which a study goes on.
 run_tencer(target torus-knot --vertices 301 -o knot.obj)
-execute_process(COMMAND ${TENCER} study ring.obj knot.obj -o killed --methods force-balance --quiet
+execute_process(COMMAND ${TENCER} study straight.xyz knot.obj -o killed --methods force-balance --quiet
   WORKING_DIRECTORY ${WORK} TIMEOUT 6 RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
 expect_contains("${status}" "timeout")
 count_lines(killed lines)
@@ -106,9 +106,9 @@ if(NOT lines EQUAL 1)
 endif()
 
 # A run that is out of time ends with what it has, and its line says so.
-run_tencer(study ring.obj knot.obj -o killed --methods force-balance --time-limit 2)
+run_tencer(study straight.xyz knot.obj -o killed --methods force-balance --time-limit 2)
 expect_status(3)
-expect_contains("${err}" "ring, force-balance, gauss-newton, x1: done before")
+expect_contains("${err}" "straight, force-balance, gauss-newton, x1: done before")
 table(killed lines)
 expect_contains("${lines}" "knot,knot.obj,force-balance,gauss-newton,1,")
 expect_contains("${lines}" "time limit of 2 s")

@@ -1,19 +1,15 @@
 #include "child.hpp"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-extern "C" {  // which glibc 2.36 leaves to its users
-#include <sys/pidfd.h>
-}
 
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <system_error>
+#include <thread>
 
 namespace tencer::app::study {
 namespace {
@@ -75,12 +71,12 @@ ChildEnd run_child(const std::string& program, const std::vector<std::string>& a
   if (child == 0) become(pointers.data(), folder.c_str(), log.number());
 
   ChildEnd end;
-  const Descriptor watched(pidfd_open(child, 0), "pidfd_open");
+  int status = 0;
   bool asked = false;
   double asked_at = 0.0;
-  for (;;) {
-    pollfd ended{.fd = watched.number(), .events = POLLIN, .revents = 0};
-    if (poll(&ended, 1, 50) > 0) break;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    // Short against any run, and no load.
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
     const double now = seconds_since(begin);
     const bool late = options.limit > 0 && now > options.limit;
     if (!asked && (late || options.stop.stop_requested())) {
@@ -93,9 +89,6 @@ ChildEnd run_child(const std::string& program, const std::vector<std::string>& a
     }
   }
   end.seconds = seconds_since(begin);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
   if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
   end.found = end.exit_code != not_found;
