@@ -80,6 +80,11 @@ TEST_CASE("what is held needs no registration") {
     CHECK_FALSE(prepared.target.align);
     CHECK_FALSE(part(prepared, "registration").used);
     CHECK_THAT(part(prepared, "pinned coordinates").why, Contains("3 unknowns fewer"));
+    CHECK_FALSE(part(prepared, "hand-over").used);
+    scene.design.hand_over = true;
+    scene.anchors = geometry::enclosing_frame(geometry::FrameShape::cube,
+                                              scene.rods[0].target.points, 10, false);
+    CHECK(part(prepared_of(scene), "hand-over").used);
   }
   SECTION("by anchors") {
     scene.anchors = geometry::enclosing_frame(geometry::FrameShape::cube,
