@@ -68,3 +68,33 @@ TEST_CASE("sampling a smooth curve gives equal arc lengths whatever its paramete
   }
   CHECK((sampled.points.colwise().norm().array() - 1.0).abs().maxCoeff() < 1e-15);
 }
+
+TEST_CASE(
+    "points between vertices follow a smooth curve to fourth order, to the ends of open ones") {
+  const auto circle = [](double s) { return Eigen::Vector3d(std::cos(s), std::sin(s), 0.3 * s); };
+  for (const bool closed : {true, false}) {
+    double last = 0;
+    for (const int n : {24, 48}) {
+      const int edges = closed ? n : n - 1;
+      Eigen::Matrix3Xd points(3, n);
+      for (int i = 0; i < n; ++i) {
+        points.col(i) = circle(2 * pi * i / edges);
+        if (closed) points(2, i) = 0;
+      }
+      const ArcLength arc(Eigen::VectorXd::Constant(edges, 2 * pi / edges), closed);
+      const Eigen::VectorXd at = Eigen::VectorXd::LinSpaced(200, 0.0, 2 * pi * 0.999);
+      const Eigen::Matrix3Xd found = smooth_points(points, arc, at);
+      double error = 0;
+      for (int k = 0; k < 200; ++k) {
+        Eigen::Vector3d exact = circle(at[k]);
+        if (closed) exact.z() = 0;
+        // The ends of an open curve have one-sided slopes, of lower order.
+        const bool inside = closed || (at[k] > 1 && at[k] < 2 * pi - 1);
+        if (inside) error = std::max(error, (found.col(k) - exact).norm());
+      }
+      if (n == 48) CHECK(error < last / 7.0);
+      last = error;
+    }
+    CHECK(last < 1e-4);
+  }
+}

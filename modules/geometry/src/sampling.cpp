@@ -43,6 +43,41 @@ Polyline resample(const Polyline& curve, int n) {
   return result;
 }
 
+Eigen::Matrix3Xd slopes(const Eigen::Matrix3Xd& points, const ArcLength& arc) {
+  const int n = static_cast<int>(points.cols());
+  const auto chord = [&](int edge) -> Eigen::Vector3d {
+    return (points.col((edge + 1) % n) - points.col(edge)) / arc.edge_length(edge);
+  };
+  Eigen::Matrix3Xd slope(3, n);
+  for (int i = 0; i < n; ++i) {
+    if (!arc.closed() && (i == 0 || i == n - 1)) continue;
+    const int before = (i + n - 1) % n;
+    const double a = arc.edge_length(before);
+    const double b = arc.edge_length(i);
+    slope.col(i) = (b * chord(before) + a * chord(i)) / (a + b);
+  }
+  if (!arc.closed()) {
+    slope.col(0) = n > 2 ? Eigen::Vector3d(2 * chord(0) - slope.col(1)) : chord(0);
+    slope.col(n - 1) = n > 2 ? Eigen::Vector3d(2 * chord(n - 2) - slope.col(n - 2)) : chord(0);
+  }
+  return slope;
+}
+
+Eigen::Matrix3Xd smooth_points(const Eigen::Matrix3Xd& points, const ArcLength& arc,
+                               const Eigen::VectorXd& at) {
+  const Eigen::Matrix3Xd slope = slopes(points, arc);
+  Eigen::Matrix3Xd result(3, at.size());
+  for (Eigen::Index k = 0; k < at.size(); ++k) {
+    const auto [edge, t] = arc.locate(at[k]);
+    const auto next = (edge + 1) % points.cols();
+    const Eigen::Vector3d d = points.col(next) - points.col(edge);
+    const Eigen::Vector3d from = arc.edge_length(edge) * slope.col(edge) - d;
+    const Eigen::Vector3d to = arc.edge_length(edge) * slope.col(next) - d;
+    result.col(k) = points.col(edge) + t * d + t * (1 - t) * ((1 - t) * from - t * to);
+  }
+  return result;
+}
+
 double length(const Curve& curve, double from, double to) {
   // The error of a chord sum is even in the step: one Richardson step removes its first term.
   const double coarse = chord_sum(curve, from, to, chords / 16);

@@ -1,5 +1,6 @@
 #include <set>
 #include <tencer/core/error.hpp>
+#include <tencer/geometry/sampling.hpp>
 #include <tencer/pipeline/refine.hpp>
 #include <tuple>
 
@@ -28,33 +29,11 @@ bool is_held(const Held& held, const io::DesignRod& rod, int number, int edge, i
   return held.contains({number, edge, axis}) && held.contains({number, end_of(rod, edge), axis});
 }
 
-// The derivative by rest length at each vertex, of the parabola through it and its neighbours (at
-// the end of an open rod, of the parabola through the last three).
-Eigen::Matrix3Xd slopes(const Eigen::Matrix3Xd& x, const io::DesignRod& rod) {
-  const int n = static_cast<int>(x.cols());
-  const auto chord = [&](int edge) -> Eigen::Vector3d {
-    return (x.col(end_of(rod, edge)) - x.col(edge)) / rod.rest_lengths[edge];
-  };
-  Eigen::Matrix3Xd slope(3, n);
-  for (int i = 0; i < n; ++i) {
-    const int before = i > 0 ? i - 1 : n - 1;
-    if (!rod.closed && (i == 0 || i == n - 1)) continue;
-    const double a = rod.rest_lengths[before];
-    const double b = rod.rest_lengths[i];
-    slope.col(i) = (b * chord(before) + a * chord(i)) / (a + b);
-  }
-  if (!rod.closed) {
-    slope.col(0) = n > 2 ? Eigen::Vector3d(2 * chord(0) - slope.col(1)) : chord(0);
-    slope.col(n - 1) = n > 2 ? Eigen::Vector3d(2 * chord(n - 2) - slope.col(n - 2)) : chord(0);
-  }
-  return slope;
-}
-
 // Hermite's cubics between the vertices; straight where an edge is held.
 Eigen::Matrix3Xd refined_points(const Eigen::Matrix3Xd& x, const io::DesignRod& rod, int number,
                                 const Held& held, int times) {
   const int edges = static_cast<int>(rod.rest_lengths.size());
-  const Eigen::Matrix3Xd slope = slopes(x, rod);
+  const Eigen::Matrix3Xd slope = geometry::slopes(x, {rod.rest_lengths, rod.closed});
   Eigen::Matrix3Xd fine(3, edges * times + (rod.closed ? 0 : 1));
   for (int j = 0; j < edges; ++j) {
     const int next = end_of(rod, j);

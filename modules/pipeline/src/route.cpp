@@ -5,16 +5,20 @@
 #include <span>
 #include <sstream>
 #include <tencer/pipeline/hand_over.hpp>
-#include <tencer/sparsify/balance.hpp>
+#include <tencer/pipeline/symmetry.hpp>
 #include <tencer/sparsify/decimate.hpp>
 #include <tencer/sparsify/dense.hpp>
+#include <tencer/sparsify/search.hpp>
 #include <tencer/sparsify/slide.hpp>
 #include <tencer/sparsify/sparsify.hpp>
+#include <tencer/symmetry/subgroups.hpp>
 #include <thread>
 #include <utility>
 
 namespace tencer::pipeline {
 namespace {
+
+constexpr int largest_hint = 12;  // operations of symmetric networks to begin with
 
 sparsify::SecondDerivatives second_derivatives(const std::string& name) {
   if (name == "exact") return sparsify::SecondDerivatives::exact;
@@ -90,31 +94,27 @@ Outcome run_route(const io::DesignSettings& settings, const Prepared& prepared,
   const sparsify::Network bare{prepared.structure, prepared.start};
   const symmetry::Group* const symmetry = prepared.symmetry ? &*prepared.symmetry : nullptr;
   std::vector<sparsify::Choice> choices;
-  std::optional<sparsify::Network> before_thinning;
-  const auto thin_to = [&](const sparsify::Network& network,
-                           std::span<const springs::Cable> possible, int cables, bool all_numbers) {
-    auto thinned =
-        sparsify::thin(network, target, prepared.rules, possible, symmetry,
-                       {.max_percent = settings.max_error,
-                        .cables = cables,
-                        .every_number = all_numbers,
-                        .measure = settings.objective == "rms" ? sparsify::Measure::rms
-                                                               : sparsify::Measure::largest,
-                        .threads = threads_of(settings)},
-                       control);
+  const auto keep = [&](sparsify::ThinResult thinned) {
     choices = std::move(thinned.choices);
     return std::move(thinned.stage);
   };
-  const auto thin = [&](const sparsify::Network& network) {
-    if (settings.hand_over) before_thinning = network;
-    if (!settings.hand_over || !settings.cables)
-      return thin_to(network, candidates.with_pins, settings.cables.value_or(0),
-                     every_number && !settings.hand_over);
-    // Room for the cables that come to these.
-    const int further =
-        static_cast<int>(prepared.structure.pins.size()) * (prepared.structure.planar ? 2 : 3);
-    return thin_to(network, candidates.with_pins, std::max(1, *settings.cables - further), false);
+  const auto thin_options = [&](int cables, bool all_numbers) {
+    return sparsify::ThinOptions{.max_percent = settings.max_error,
+                                 .cables = cables,
+                                 .every_number = all_numbers,
+                                 .measure = settings.objective == "rms"
+                                                ? sparsify::Measure::rms
+                                                : sparsify::Measure::largest,
+                                 .threads = threads_of(settings)};
   };
+  // Before pins are handed over, all numbers of cables are of use, and there must be room for the
+  // cables that come to these.
+  const int asked = settings.cables.value_or(0);
+  const int further = settings.hand_over ? static_cast<int>(prepared.structure.pins.size()) *
+                                               (prepared.structure.planar ? 2 : 3)
+                                         : 0;
+  const auto first_options = thin_options(asked > 0 ? std::max(1, asked - further) : 0,
+                                          every_number || settings.hand_over);
   const auto slide = [&](const sparsify::Network& network) {
     return sparsify::slide(network, target, prepared.rules, backend, outer, control);
   };
@@ -141,15 +141,17 @@ Outcome run_route(const io::DesignSettings& settings, const Prepared& prepared,
                                     control);
         })
         .then(slide)
-        .then(thin);
-  } else {
-    route
         .then([&](const auto& network) {
-          return sparsify::balance(network, target, candidates.with_pins, symmetry,
-                                   {.percent = std::clamp(settings.max_error / 2, 1e-3, 0.1)},
-                                   control);
-        })
-        .then(thin);
+          return keep(sparsify::thin(network, target, prepared.rules, candidates.with_pins,
+                                     symmetry, first_options, control));
+        });
+  } else {
+    std::vector<symmetry::Group> hints;
+    if (!symmetry) hints = symmetry::subgroups(detected_symmetry(prepared), largest_hint);
+    route.then([&](const auto& network) {
+      return keep(sparsify::search(network, target, prepared.rules, candidates.with_pins, symmetry,
+                                   hints, first_options, control));
+    });
   }
   if (settings.hand_over)
     route
@@ -160,7 +162,6 @@ Outcome run_route(const io::DesignSettings& settings, const Prepared& prepared,
           for (auto& choice : choices)
             if (choice.network.structure.cables.size() > network.structure.cables.size())
               pinned.push_back(std::move(choice.network));
-          if (before_thinning) pinned.push_back(std::move(*before_thinning));
           choices.clear();
           sparsify::StageResult handed;
           for (const auto& one : pinned) {
@@ -170,8 +171,8 @@ Outcome run_route(const io::DesignSettings& settings, const Prepared& prepared,
           return handed;
         })
         .then([&](const auto& network) {
-          return thin_to(network, candidates.without_pins, settings.cables.value_or(0),
-                         every_number);
+          return keep(sparsify::thin(network, target, prepared.rules, candidates.without_pins,
+                                     symmetry, thin_options(asked, every_number), control));
         });
 
   const sparsify::StageResult& result = route.result();

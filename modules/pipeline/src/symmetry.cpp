@@ -260,11 +260,13 @@ core::Expected<std::optional<symmetry::Group>> symmetry_of(const io::Scene& scen
     if (!found) return found.error();
     group = std::move(found->group);
   } else if (scene.design.symmetry == "detect") {
-    group = detected(prepared).group;
+    group = detected_symmetry(prepared);
   }
   if (group && group->order() == 1) group.reset();
   return group;
 }
+
+symmetry::Group detected_symmetry(const Prepared& prepared) { return detected(prepared).group; }
 
 std::string symmetry_in_words(const Prepared& prepared) {
   const symmetry::Symmetry found = detected(prepared);

@@ -17,8 +17,8 @@ struct DescentOptions {
   double softness = 0.5;  // see Drive
   double finest = 1.0;    // distances are measured in units of at least finest * percent
   int fewest = 1;         // ends with so many cables
-  int tries = 4;          // of different cables before it gives up
-  double hopeless = 4.0;  // ends further from the target than this times `percent`
+  int tries = 2;          // of different cables before it gives up
+  double hopeless = 2.0;  // ends further from the target than this times `percent`
   std::function<void(const Walker&)> progress{};  // after each removal; may be empty
 };
 

@@ -19,6 +19,15 @@ Eigen::Vector3d point_at(const Polyline& curve, const ArcLength& arc, double s);
 // polyline, n >= 2 for an open one, which keeps its two ends.
 Polyline resample(const Polyline& curve, int n);
 
+// The derivative in arc length at each vertex, of the parabola through it and its neighbours; at
+// the ends of an open curve, of the parabola through the last three.
+Eigen::Matrix3Xd slopes(const Eigen::Matrix3Xd& points, const ArcLength& arc);
+
+// Points at these arc lengths, wrapped or clamped, on the curve of cubics that has these slopes at
+// the vertices (Hermite's); a smooth curve is met to fourth order in the edges.
+Eigen::Matrix3Xd smooth_points(const Eigen::Matrix3Xd& points, const ArcLength& arc,
+                               const Eigen::VectorXd& at);
+
 // A smooth curve by its parameter.
 using Curve = std::function<Eigen::Vector3d(double)>;
 

@@ -27,6 +27,9 @@ struct ThinOptions {
   int threads = 2;  // the result does not depend on it
 };
 
+// Throws std::invalid_argument, naming the field, unless the numbers make sense.
+void validate(const ThinOptions& options);
+
 struct Choice {
   Network network{};
   double max_percent = 0.0;
@@ -44,10 +47,10 @@ struct ThinResult {
 // Several descents, each with another balance between closeness and stability, are made side by
 // side. In each, the cable goes whose loss is predicted to cost least once the others have been
 // refitted (to first order), gradually where it cannot go at once; attachments slide, cables stay
-// as good as inextensible. The best networks are then fitted closely, taken further, and changed by
-// putting the most useful of `candidates` in and taking another cable out. Requires a stable
-// equilibrium in which every cable pulls. symmetry: null, or a group that the structure, the target
-// and the network have; orbits of cables then stay together.
+// as good as inextensible. The best networks are fitted closely, then varied: one of `candidates`
+// goes in where it helps most, and others out. Requires a stable equilibrium in which every cable
+// pulls. symmetry: null, or a group that the structure, the target and the network have; orbits of
+// cables then stay together.
 ThinResult thin(const Network& network, const sensitivity::Target& target, const Rules& rules,
                 std::span<const springs::Cable> candidates, const symmetry::Group* symmetry,
                 const ThinOptions& options = {}, const Control& control = {});

@@ -1,0 +1,14 @@
+// The last touch to a network: as close to its target as it goes without losing stability.
+#pragma once
+
+#include "pool.hpp"
+#include "walker.hpp"
+
+namespace tencer::sparsify {
+
+double diagonal_of(const sensitivity::Target& target);  // of its bounding box
+
+// Fits what the walker is at, which must be usable, and leaves it there.
+Choice fit(Walker& walker, const sensitivity::Target& target, Measure measure);
+
+}  // namespace tencer::sparsify

@@ -1,0 +1,64 @@
+// The search for few cables on rods of one resolution: descents, and variations of what they find.
+#pragma once
+
+#include <functional>
+#include <mutex>
+#include <span>
+
+#include "descent.hpp"
+#include "pool.hpp"
+#include "removal.hpp"
+#include "stage_clock.hpp"
+
+namespace tencer::sparsify {
+
+// Where descents begin, at most so many, each of its own temper. symmetry: null, or a group that
+// the network has and its descents keep.
+struct Start {
+  Network network{};
+  int descents = 4;
+  const symmetry::Group* symmetry = nullptr;
+};
+
+class Thinning {
+ public:
+  // Refers to everything.
+  Thinning(const Task& task, std::span<const springs::Cable> candidates, const ThinOptions& options,
+           const Control& control, const StageClock& clock);
+
+  // Descents from each start, and of each the networks that answer what is asked.
+  Pool descend_from(std::span<const Start> starts);
+
+  // Varies the best network, round by round, until `patience` rounds bring nothing better, and
+  // calls record() after each.
+  void improve(Pool& pool, int patience, const std::function<void()>& record);
+
+  // The network fitted as closely as it goes, or as it is when there is no time left; adds nothing
+  // when there is no stable equilibrium near it.
+  void add_fitted(const Network& network, const Task& task, Pool& pool);
+
+  // What was done since the last call.
+  Effort take_effort();
+
+ private:
+  // Networks like this one but for a cable more and others less, in several ways; what is tried
+  // differs from round to round.
+  Pool vary(const Choice& choice, int round);
+
+  DescentOptions descent(int temper, double percent);
+  Pool choose(const std::vector<Network>& path, const Task& task);
+  Pool varied(const Choice& choice, int temper, int offer);
+  void count(const Walker& walker);
+  void report(const Walker& walker);
+
+  const Task& task_;
+  std::span<const springs::Cable> candidates_;
+  const ThinOptions& options_;
+  const Control& control_;
+  const StageClock& clock_;
+  double diagonal_;
+  std::mutex mutex_;
+  Effort effort_;
+};
+
+}  // namespace tencer::sparsify

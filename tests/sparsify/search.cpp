@@ -1,0 +1,103 @@
+#include <catch2/catch.hpp>
+#include <tencer/sparsify/search.hpp>
+#include <tencer/symmetry/detect.hpp>
+#include <tencer/symmetry/orbit.hpp>
+#include <tencer/symmetry/subgroups.hpp>
+
+#include "models.hpp"
+
+using namespace tencer;
+using namespace tencer::sparsify;
+using namespace tencer::sparsify::test;
+
+namespace {
+
+struct Problem {
+  Network bare{};
+  sensitivity::Target target{};
+  std::vector<springs::Cable> candidates{};
+  symmetry::Group group{};
+};
+
+Problem problem_of(const Model& model, const Rules& rules = {}) {
+  symmetry::Figure figure;
+  for (std::size_t r = 0; r < model.structure.rods.size(); ++r) {
+    const auto& rod = model.structure.rods[r];
+    figure.curves.push_back({.points = model.positions[r], .closed = rod.closed});
+    figure.rods.emplace_back(rod.rest_lengths, rod.closed);
+    figure.classes.push_back(0);
+  }
+  return {.bare = {model.structure, equilibrium::make_state(model.structure, model.positions)},
+          .target = {.points = model.positions},
+          .candidates = candidates(model.structure, model.positions, rules).value(),
+          .group = symmetry::detect(figure).group};
+}
+
+ThinResult searched(const Problem& problem, const ThinOptions& options,
+                    const symmetry::Group* symmetry = nullptr,
+                    std::span<const symmetry::Group> hints = {}, const Control& control = {}) {
+  return search(problem.bare, problem.target, {}, problem.candidates, symmetry, hints, options,
+                control);
+}
+
+double error(const Problem& problem, const ThinResult& result) {
+  return sensitivity::deviation(problem.target, result.stage.network.state).max_percent;
+}
+
+}  // namespace
+
+TEST_CASE("A search ends on the rods as they are, within the tolerance") {
+  for (const int vertices : {60, 120}) {  // the second is searched on fewer vertices
+    CAPTURE(vertices);
+    const Problem problem = problem_of(trefoil(vertices));
+    const ThinResult result = searched(problem, {.max_percent = 1.0});
+    CHECK(result.stage.sound);
+    CHECK(result.stage.network.state[0].x.cols() == vertices);
+    CHECK(error(problem, result) <= 1.0);
+    CHECK(cables(result.stage.network) <= 10);
+    const bool fewer = result.stage.trace.front().note.find("vertices") != std::string::npos;
+    CHECK(fewer == (vertices == 120));
+    for (const auto& choice : result.choices) CHECK(choice.network.state[0].x.cols() == vertices);
+  }
+}
+
+TEST_CASE("Every number of cables on the way is carried over") {
+  const Problem problem = problem_of(trefoil(120));
+  const ThinResult result = searched(problem, {.max_percent = 1.0, .every_number = true});
+  CHECK(result.stage.sound);
+  REQUIRE(result.choices.size() > 4);
+  for (std::size_t i = 1; i < result.choices.size(); ++i)
+    CHECK(result.choices[i].max_percent < result.choices[i - 1].max_percent);
+}
+
+TEST_CASE("A search keeps the symmetry it is given, on few vertices and on all") {
+  const Problem problem = problem_of(trefoil(120));
+  REQUIRE(problem.group.order() == 6);
+  const ThinResult result = searched(problem, {.max_percent = 1.0}, &problem.group);
+  CHECK(result.stage.sound);
+  const auto& found = result.stage.network.structure.cables;
+  CHECK(symmetry::complete(found, problem.group, 1e-3).size() == found.size());
+}
+
+TEST_CASE("Hints are tried besides, and bind nobody") {
+  const Problem problem = problem_of(trefoil(60));
+  const auto hints = symmetry::subgroups(problem.group, 12);
+  const ThinResult with = searched(problem, {.cables = 9}, nullptr, hints);
+  const ThinResult without = searched(problem, {.cables = 9});
+  CHECK(with.stage.sound);
+  CHECK(cables(with.stage.network) <= 9);
+  // The first descents are the same; what comes after may lead elsewhere, but not far.
+  CHECK(error(problem, with) < 1.5 * error(problem, without));
+}
+
+TEST_CASE("A search that is stopped gives what it has") {
+  const Problem problem = problem_of(trefoil(120));
+  std::stop_source source;
+  int reports = 0;
+  const Control control{.stop = source.get_token(), .progress = [&](const Progress&) {
+                          if (++reports == 40) source.request_stop();
+                        }};
+  const ThinResult result = searched(problem, {.max_percent = 1.0}, nullptr, {}, control);
+  CHECK(result.stage.interrupted);
+  CHECK(result.stage.network.state[0].x.cols() == 120);
+}
