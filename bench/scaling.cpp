@@ -1,6 +1,7 @@
 // Cost as work grows: time and memory against size, with fitted exponents, beside the physical
-// floor of the factorisation. Each size runs in a process of its own, so that its peak memory is
-// its own. Usage: bench_scaling
+// floor of the factorisations. Each size runs in a process of its own, so that its peak memory is
+// its own. docs/scaling.md is made of the output. Usage: bench_scaling [SECONDS]: a design that
+// takes longer is given up, and with it all larger ones of its study.
 //
 // To add a study, write a function from a size to a Sample and a line in `studies`.
 #include <sys/resource.h>
@@ -9,18 +10,24 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <numbers>
 #include <tencer/equilibrium/solve.hpp>
+#include <tencer/geometry/curves.hpp>
+#include <tencer/pipeline/convert.hpp>
+#include <tencer/pipeline/design.hpp>
 #include <vector>
+
+#include "rates.hpp"
 
 using namespace tencer;
 
 namespace {
 
-constexpr int most_columns = 8;
+constexpr int most_columns = 9;
 
 // What was measured at one size; columns in the order of the study's names.
 struct Sample {
@@ -31,12 +38,44 @@ struct Study {
   const char* title;
   const char* size_name;
   std::vector<double> sizes;
-  std::vector<const char*> columns;  // of Sample::values; peak memory is added to them
+  std::vector<const char*> columns;  // of Sample::values; the peak memory is added to them
   Sample (*measure)(int size);
+  bool limited = false;  // by the time given on the command line
 };
 
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+// Processor time of this process, all its threads together, or of this thread: what else the
+// machine does hardly shows. (That of the process goes in ticks once there is a limit to it.)
+double cpu_seconds(clockid_t of = CLOCK_PROCESS_CPUTIME_ID) {
+  timespec now{};
+  clock_gettime(of, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// One factorisation: what it took, and what it must take: its multiplications and additions at the
+// best rate of a core, and its matrix read and its factor written at the rate of the cache or
+// memory that holds them. These overlap at best.
+struct Factorisation {
+  double seconds = 0.0;
+  double floor = 0.0;
+  double operations = 0.0;
+  double bytes = 0.0;  // of the factor
+};
+
+Factorisation factorisation(equilibrium::Linearisation& at) {
+  Factorisation result{.seconds = 1e300};
+  for (int k = 0; k < 9; ++k) {
+    const double begin = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
+    at.factor.factorise(at.matrix);
+    result.seconds = std::min(result.seconds, cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - begin);
+  }
+  const auto cost = at.factor.cost();
+  result.operations = cost.operations;
+  result.bytes = cost.bytes;
+  const double moved =
+      cost.bytes + static_cast<double>(at.matrix.nonZeros()) * (sizeof(double) + sizeof(int));
+  result.floor = std::max(cost.operations / bench::flop_rate(),
+                          moved / bench::read_rate(static_cast<std::size_t>(moved)));
+  return result;
 }
 
 // A closed rod of n vertices on a circle, pressed to an oval by spokes to its neighbourhood's
@@ -64,44 +103,100 @@ Model ring_with_cables(int n) {
   return model;
 }
 
-// Columns: whole solve s, iterations, factorisations, one factorisation s, Gflop/s of it, flops of
-// it, bytes of its factor.
 Sample forward(int n) {
   const Model model = ring_with_cables(n);
-  auto begin = std::chrono::steady_clock::now();
+  const double begin = cpu_seconds();
   const equilibrium::System system(model.structure);
   equilibrium::Linearisation at;
   const auto result =
       equilibrium::solve(system, make_state(model.structure, {model.start}), {}, at);
-  const double whole = seconds_since(begin);
-
-  constexpr int repeats = 3;
-  double fastest = whole;
-  for (int k = 0; k < repeats; ++k) {
-    begin = std::chrono::steady_clock::now();
-    at.factor.factorise(at.matrix);
-    fastest = std::min(fastest, seconds_since(begin));
-  }
-  const auto cost = at.factor.cost();
-  return {{whole, static_cast<double>(result.iterations),
-           static_cast<double>(result.factorisations), fastest, cost.operations / fastest / 1e9,
-           cost.operations, cost.bytes, result.usable() ? 1.0 : 0.0}};
+  const double whole = cpu_seconds() - begin;
+  const Factorisation one = factorisation(at);
+  return {{whole, one.floor * result.factorisations, static_cast<double>(result.iterations),
+           static_cast<double>(result.factorisations), one.seconds, one.floor, one.operations,
+           one.bytes, result.usable() ? 1.0 : 0.0}};
 }
 
-const std::vector<Study> studies{
-    {"Forward solve: one closed rod, 24 cables",
-     "n",
-     {1e2, 3e2, 1e3, 3e3, 1e4, 3e4, 1e5},
-     {"solve s", "iter", "fact", "one fact s", "Gflop/s", "flops", "bytes of L", "usable"},
-     forward}};
+io::Scene scene_of(std::vector<geometry::Polyline> curves) {
+  auto scene = io::scene_of_curves(std::move(curves), "scaling");
+  if (!scene) std::abort();
+  return *std::move(scene);
+}
 
-// Measures in a child; adds the peak of its resident memory in bytes.
-std::vector<double> measured(const Study& study, int size) {
+// The floor is that of the factorisations in Newton's steps alone: how often gradients need a solve
+// with the same factor, and what choosing cables needs, is a matter of the method.
+Sample designed(const io::Scene& scene) {
+  const double begin = cpu_seconds();
+  const auto design = pipeline::design(scene);
+  const double whole = cpu_seconds() - begin;
+  if (!design) std::abort();
+  const pipeline::Units units = pipeline::units_of(*design);
+  const auto structure = pipeline::structure_of(*design, pipeline::Cables::springs, units);
+  const equilibrium::System system(structure);
+  equilibrium::Linearisation at;
+  equilibrium::linearise(system, pipeline::pose_state(*design, structure, units), at);
+  const Factorisation one = factorisation(at);
+  double solves = 0, iterations = 0;
+  for (const auto& row : design->trace) {
+    solves += row.equilibrium_solves;
+    iterations += row.newton_iterations;
+  }
+  return {{whole, one.floor * iterations, solves, iterations, one.seconds, one.floor,
+           static_cast<double>(design->cables.size()), design->error->max_percent,
+           design->status == io::DesignStatus::complete ? 1.0 : 0.0}};
+}
+
+Sample design_of_vertices(int n) {
+  return designed(scene_of({geometry::trefoil(geometry::TrefoilForm::hypotrochoid, 198, n)}));
+}
+
+// A chain: bent ellipses of 50 vertices, each through the next and at right angles to it.
+Sample design_of_rods(int rods) {
+  std::vector<geometry::Polyline> chain;
+  for (int r = 0; r < rods; ++r) {
+    geometry::Polyline link = geometry::ellipse(32.5, 25, 50);
+    for (int i = 0; i < link.vertices(); ++i)
+      link.points(2, i) = 5 * std::cos(4 * std::numbers::pi * i / link.vertices() + 0.1 * r);
+    if (r % 2 == 1) link.points.row(1).swap(link.points.row(2));
+    link.points.row(0).array() += 45.0 * r;
+    chain.push_back(std::move(link));
+  }
+  return designed(scene_of(std::move(chain)));
+}
+
+const std::vector<const char*> design_columns{"design cpu s", "floor s",     "solves",
+                                              "steps",        "one fact. s", "its floor s",
+                                              "cables",       "max error %", "complete"};
+
+const std::vector<Study> studies{{"Forward solve: one closed rod of n vertices, 24 cables",
+                                  "n",
+                                  {1e2, 3e2, 1e3, 3e3, 1e4, 3e4, 1e5},
+                                  {"solve cpu s", "floor s", "steps", "fact.", "one fact. s",
+                                   "its floor s", "its flops", "bytes of L", "usable"},
+                                  forward},
+                                 {"Design: a trefoil of n vertices, within 1 %",
+                                  "n",
+                                  {50, 100, 200, 500, 1000, 2000},
+                                  design_columns,
+                                  design_of_vertices,
+                                  true},
+                                 {"Design: a chain of so many rods of 50 vertices, within 1 %",
+                                  "rods",
+                                  {1, 2, 5, 10, 20},
+                                  design_columns,
+                                  design_of_rods,
+                                  true}};
+
+// Measures in a child, which is ended after so many seconds of processor time; adds the peak of its
+// resident memory in bytes. Empty when it did not end by itself.
+std::vector<double> measured(const Study& study, int size, unsigned limit) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) return {};
   std::fflush(stdout);
   const pid_t child = fork();
   if (child == 0) {
+    const rlimit most{limit, limit};
+    if (study.limited) setrlimit(RLIMIT_CPU, &most);
     const Sample sample = study.measure(size);
     const bool sent = write(ends[1], &sample, sizeof sample) == sizeof sample;
     _exit(sent ? 0 : 1);
@@ -123,7 +218,7 @@ std::vector<double> measured(const Study& study, int size) {
 // fixed costs no longer count.
 double exponent(const std::vector<double>& sizes, const std::vector<double>& values) {
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (std::size_t i = sizes.size() / 2; i < sizes.size(); ++i) {
+  for (std::size_t i = (sizes.size() - 1) / 2; i < sizes.size(); ++i) {
     if (!(values[i] > 0)) continue;
     const double x = std::log(sizes[i]), y = std::log(values[i]);
     n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
@@ -131,29 +226,43 @@ double exponent(const std::vector<double>& sizes, const std::vector<double>& val
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-void print(const Study& study) {
-  std::printf("%s\n%10s", study.title, study.size_name);
-  for (const char* column : study.columns) std::printf(" %11s", column);
-  std::printf(" %11s\n", "peak bytes");
+void print(const Study& study, unsigned limit) {
+  std::printf("### %s\n\n| %s |", study.title, study.size_name);
+  for (const char* column : study.columns) std::printf(" %s |", column);
+  std::printf(" peak bytes |\n|---|");
+  for (std::size_t c = 0; c <= study.columns.size(); ++c) std::printf("---|");
+  std::printf("\n");
   std::vector<double> sizes;
   std::vector<std::vector<double>> columns(study.columns.size() + 1);
   for (const double size : study.sizes) {
-    const auto values = measured(study, static_cast<int>(size));
-    std::printf("%10.0f", size);
-    if (values.empty()) std::printf(" did not end as it should");
-    for (const double value : values) std::printf(" %11.3g", value);
+    const auto values = measured(study, static_cast<int>(size), limit);
+    if (values.empty()) {
+      std::printf("\n%s = %g did not end within %u s of processor time.\n", study.size_name, size,
+                  limit);
+      break;
+    }
+    std::printf("| %.0f |", size);
+    for (const double value : values) std::printf(" %.3g |", value);
     std::printf("\n");
-    if (values.empty()) continue;
     sizes.push_back(size);
     for (std::size_t c = 0; c < columns.size(); ++c) columns[c].push_back(values[c]);
   }
-  std::printf("%10s", "exponent");
-  for (const auto& column : columns) std::printf(" %11.2f", exponent(sizes, column));
-  std::printf("\n\n");
+  if (sizes.size() >= 3) {
+    std::printf("| exponent |");
+    for (const auto& column : columns) {
+      const double slope = exponent(sizes, column);
+      std::printf(std::isfinite(slope) ? " %.2f |" : " |", slope);
+    }
+    std::printf("\n");
+  }
+  std::printf("\n");
 }
 
 }  // namespace
 
-int main() {
-  for (const Study& study : studies) print(study);
+int main(int argc, char** argv) {
+  const unsigned limit = argc > 1 ? static_cast<unsigned>(std::atoi(argv[1])) : 600;
+  std::printf("One core: %.3g flop/s, %.3g bytes/s from memory.\n\n", bench::flop_rate(),
+              bench::read_rate(std::size_t{1} << 28));
+  for (const Study& study : studies) print(study, limit);
 }
