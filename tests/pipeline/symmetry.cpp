@@ -81,6 +81,18 @@ TEST_CASE("a design keeps the rotations that its scene gives, and only then has 
   check_consistent(with);
 }
 
+TEST_CASE("two rods with many symmetries are held by few orbits") {
+  const auto knots = geometry::twin_trefoils(27, 10.8, 72);
+  io::Scene scene = scene_of({knots.begin(), knots.end()});
+  scene.design.rod_pairs = {{0, 1}};
+  scene.design.max_error = 5.4;
+  scene.design.symmetry = "detect";
+  CHECK(order(scene) == 12);
+  const io::Design design = designed(scene);
+  CHECK(design.status == io::DesignStatus::complete);
+  check_symmetric(scene, design);
+}
+
 TEST_CASE("generators make a group, and what is found is the same") {
   io::Scene scene = trefoil_scene(60);
   CHECK(order(scene) == 1);
