@@ -107,7 +107,9 @@ inline void check_consistent(const io::Design& design) {
     CHECK(row.seconds > 0);
     CHECK(std::isfinite(row.max_percent));
     CHECK(row.max_percent >= row.rms_percent);
-    if (i > 0 && row.stage != "settle") CHECK(row.cables <= design.trace[i - 1].cables);
+    // While nothing is close enough, closer is better than fewer.
+    if (i > 0 && row.stage != "settle" && design.status == io::DesignStatus::complete)
+      CHECK(row.cables <= design.trace[i - 1].cables);
   }
 }
 

@@ -101,3 +101,13 @@ TEST_CASE("A search that is stopped gives what it has") {
   CHECK(result.stage.interrupted);
   CHECK(result.stage.network.state[0].x.cols() == 120);
 }
+
+TEST_CASE("Rods that hold their shape by themselves get no cables") {
+  for (const int vertices : {40, 80}) {
+    const Problem problem = problem_of(make_model({geometry::circle(1.0, vertices)}));
+    const ThinResult result = searched(problem, {.max_percent = 1.0});
+    CHECK(result.stage.sound);
+    CHECK(cables(result.stage.network) == 0);
+    CHECK(error(problem, result) < 1e-6);
+  }
+}

@@ -126,7 +126,8 @@ Pool Thinning::descend_from(std::span<const Start> starts) {
 }
 
 Pool Thinning::varied(const Choice& choice, int temper, int offer) {
-  const double percent = options_.cables > 0 ? choice.max_percent : options_.max_percent;
+  const double percent =
+      std::max(options_.cables > 0 ? choice.max_percent : options_.max_percent, finest_percent);
   Walker walker(choice.network, task_,
                 {.aim = {.unit = percent / 100 * diagonal_}, .softness = tempers[temper].softness},
                 control_);
@@ -163,6 +164,7 @@ void Thinning::improve(Pool& pool, int patience, const std::function<void()>& re
                       !options_.every_number && pool.answer(options_);
        ++round) {
     const Choice best = *pool.answer(options_);
+    if (cables_of(best) == 0) return;
     pool.add(vary(best, waited));
     waited = better(*pool.answer(options_), best, options_) ? 0 : waited + 1;
     record();

@@ -201,7 +201,7 @@ bool Walker::move(const LocalModel& model, const Eigen::VectorXd& step, const st
 
 void Walker::refit(int steps, double least_gain) {
   constexpr int attempts = 5;
-  for (int k = 0; k < steps && !stopped(); ++k) {
+  for (int k = 0; k < steps && cables() > 0 && !stopped(); ++k) {
     const double before = value_;
     bool moved = false;
     for (int attempt = 0; attempt < attempts && !moved; ++attempt) {
