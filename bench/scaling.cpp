@@ -233,12 +233,12 @@ void print(const Study& study, unsigned limit) {
   for (std::size_t c = 0; c <= study.columns.size(); ++c) std::printf("---|");
   std::printf("\n");
   std::vector<double> sizes;
+  double given_up = 0;
   std::vector<std::vector<double>> columns(study.columns.size() + 1);
   for (const double size : study.sizes) {
     const auto values = measured(study, static_cast<int>(size), limit);
     if (values.empty()) {
-      std::printf("\n%s = %g did not end within %u s of processor time.\n", study.size_name, size,
-                  limit);
+      given_up = size;
       break;
     }
     std::printf("| %.0f |", size);
@@ -255,6 +255,9 @@ void print(const Study& study, unsigned limit) {
     }
     std::printf("\n");
   }
+  if (given_up > 0)
+    std::printf("\n%s = %g did not end within %u s of processor time.\n", study.size_name, given_up,
+                limit);
   std::printf("\n");
 }
 
