@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tencer/core/error.hpp>
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/geometry/measure.hpp>
 #include <tencer/sparsify/balance.hpp>
+#include <tencer/symmetry/tie.hpp>
 #include <utility>
 
 #include "soft_modes.hpp"
@@ -63,9 +65,22 @@ void stabilise(Network& network, const std::vector<Pulls>& pulls, double tension
 // rest lengths are set anew, for the tensions they had, or they are left out.
 enum class Slack { tightened, left_out };
 
+// Takes these cables out, with the others of their orbits.
+void leave_out(const std::vector<int>& idle, const symmetry::Group* symmetry,
+               std::vector<springs::Cable>& cables) {
+  std::vector<int> orbit(cables.size());
+  std::iota(orbit.begin(), orbit.end(), 0);
+  if (symmetry) orbit = symmetry::tie_cables(cables, *symmetry).orbit;
+  std::vector<int> orbits;
+  for (const int c : idle) orbits.push_back(orbit[c]);
+  for (int c = static_cast<int>(cables.size()) - 1; c >= 0; --c)
+    if (std::ranges::find(orbits, orbit[c]) != orbits.end()) cables.erase(cables.begin() + c);
+}
+
 // The equilibrium found from the network's state; false: not all cables pull there.
-bool settle(Network& network, Slack slack, const Control& control, Effort& effort) {
-  constexpr int rounds = 5;
+bool settle(Network& network, Slack slack, const symmetry::Group* symmetry, const Control& control,
+            Effort& effort) {
+  constexpr int rounds = 15;
   const equilibrium::State start = network.state;
   Eigen::VectorXd tensions = cable_tensions(network);
   equilibrium::SolveOptions solve = control.solve;
@@ -84,7 +99,7 @@ bool settle(Network& network, Slack slack, const Control& control, Effort& effor
       for (Eigen::Index c = 0; c < lengths.size(); ++c)
         cables[c].rest_length = lengths[c] - tensions[c] / cables[c].stiffness;
     } else {
-      for (auto c = idle.rbegin(); c != idle.rend(); ++c) cables.erase(cables.begin() + *c);
+      leave_out(idle, symmetry, cables);
     }
   }
   return false;
@@ -93,13 +108,14 @@ bool settle(Network& network, Slack slack, const Control& control, Effort& effor
 // The network that balances the forces to `accuracy` (a length), settled by the treatment that ends
 // closest to the target; false: with none do all cables pull in equilibrium.
 bool settle_balanced(const Network& bare, const sensitivity::Target& target,
-                     const std::vector<Pulls>& pulls, double accuracy, double percent,
-                     const Control& control, Effort& effort, Network& best) {
+                     const std::vector<Pulls>& pulls, const symmetry::Group* symmetry,
+                     double accuracy, double percent, const Control& control, Effort& effort,
+                     Network& best) {
   const auto found =
       balance_forces(equilibrium::System(bare.structure), bare.state, pulls, accuracy);
   best = bare;
   if (found.set.empty()) {  // the rods may hold the target by themselves
-    const bool holds = settle(best, Slack::tightened, control, effort);
+    const bool holds = settle(best, Slack::tightened, symmetry, control, effort);
     return holds && sensitivity::deviation(target, best.state).max_percent < 2 * percent;
   }
   constexpr double gentle = 0.1;  // tension of further cables, of the typical one
@@ -118,7 +134,7 @@ bool settle_balanced(const Network& bare, const sensitivity::Target& target,
         network.structure.cables.push_back(
             taut(pull, found.values[static_cast<Eigen::Index>(i)], rho));
     stabilise(network, pulls, gentle * found.values.mean(), rho, control);
-    const bool sound = settle(network, slack, control, effort);
+    const bool sound = settle(network, slack, symmetry, control, effort);
     const double reached = sensitivity::deviation(target, network.state).max_percent;
     // A network that is not sound is better than none, for what is said of it.
     if (best.structure.cables.empty() || (sound && reached < closest)) best = std::move(network);
@@ -142,13 +158,21 @@ StageResult balance(const Network& bare, const sensitivity::Target& target,
   std::vector<geometry::Polyline> curves;
   for (const auto& points : target.points) curves.push_back({.points = points});
   const double diagonal = geometry::bounding_box_diagonal(curves);
-  // A finer balance has more cables, which hold better.
+  // A finer balance has more cables, which hold better: with few, as symmetric ones may be, the
+  // rods can slip into another shape where all is in equilibrium too.
+  const double slipped = 10 * options.percent;
+  double closest = std::numeric_limits<double>::infinity();
   Effort effort;
-  for (const double finer : {1.0, 0.25, 0.05})
-    if (settle_balanced(bare, target, pulls, finer * options.percent / 100 * diagonal,
-                        options.percent, control, effort, result.network) ||
-        clock.stopped())
-      break;
+  for (const double finer : {1.0, 0.25, 0.05, 0.01}) {
+    Network network;
+    const bool sound =
+        settle_balanced(bare, target, pulls, symmetry, finer * options.percent / 100 * diagonal,
+                        options.percent, control, effort, network);
+    const double reached = sensitivity::deviation(target, network.state).max_percent;
+    if (sound ? reached < closest : std::isinf(closest)) result.network = std::move(network);
+    if (sound) closest = std::min(closest, reached);
+    if (closest < slipped || clock.stopped()) break;
+  }
   clock.count(effort);
   finish(result, target, clock);
   return result;

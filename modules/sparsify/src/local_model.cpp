@@ -39,7 +39,7 @@ void lay_out(const std::vector<springs::Cable>& cables, const symmetry::Group* g
     free.clear();
     for (const auto& parameter : ties.free)
       free.push_back({kind_of(parameter.kind), parameter.cable});
-    model.orbits.resize(1 + *std::ranges::max_element(ties.orbit));
+    if (!cables.empty()) model.orbits.resize(1 + *std::ranges::max_element(ties.orbit));
     for (int c = 0; c < static_cast<int>(cables.size()); ++c)
       model.orbits[ties.orbit[c]].push_back(c);
   } else {

@@ -40,10 +40,14 @@ Found search_on(const Problem& problem, const equilibrium::State& at_target,
     outcome = balance(bare, problem.target, problem.candidates, group,
                       {.percent = part * std::clamp(options.max_percent, 1e-2, 1.0)}, control);
   });
-  result.network = balanced.front().outcome.network;
-  result.interrupted = balanced.front().outcome.interrupted;
-  for (auto& row : balanced.front().outcome.trace) result.trace.push_back(std::move(row));
-  if (!balanced.front().outcome.sound || result.interrupted) return {};
+  // What is told of, and begun with, is the first that holds; failing all, the first.
+  const auto holds = [](const Balanced& one) { return one.outcome.sound; };
+  auto first = std::ranges::find_if(balanced, holds);
+  if (first == balanced.end()) first = balanced.begin();
+  result.network = first->outcome.network;
+  result.interrupted = first->outcome.interrupted;
+  for (auto& row : first->outcome.trace) result.trace.push_back(std::move(row));
+  if (!holds(*first) || result.interrupted) return {};
   std::vector<Start> starts;
   for (auto& [group, part, descents, outcome] : balanced)
     if (outcome.sound)
