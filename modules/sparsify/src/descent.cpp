@@ -57,6 +57,17 @@ std::vector<int> removal_order(const Walker& walker) {
   return order;
 }
 
+// Takes out many of the cheapest at once while there are many.
+bool remove_several(Walker& walker, const std::vector<int>& order, int fewest) {
+  const auto largest = static_cast<int>(walker.cables() / order.size());  // mostly, of orbits
+  const int several =
+      std::min(static_cast<int>(order.size()) / 6, (walker.cables() - fewest) / largest);
+  if (several < 2) return false;
+  const Planner plan = walker.planner();
+  const std::vector<int> out(order.begin(), order.begin() + several);
+  return walker.move(plan.model(), plan.step(out), out, far);
+}
+
 // The best of a few removals, or the first that is good enough; false: none succeeded.
 bool remove_one(Walker& walker, const DescentOptions& options) {
   constexpr double fits_well = 0.3;
@@ -66,6 +77,11 @@ bool remove_one(Walker& walker, const DescentOptions& options) {
   std::optional<Network> best;
   double least = std::numeric_limits<double>::infinity();
   const auto order = removal_order(walker);
+  if (remove_several(walker, order, options.fewest)) {
+    if (walker.value() > fits_well) walker.refit(3);
+    if (walker.value() <= good) return true;
+    if (!walker.restart(before)) return false;
+  }
   const auto tries = std::min(order.size(), static_cast<std::size_t>(options.tries));
   for (std::size_t k = 0; k < tries && !walker.stopped(); ++k) {
     if (k > 0 && !walker.restart(before)) return false;
@@ -92,7 +108,7 @@ std::vector<Network> descend(Walker& walker, const DescentOptions& options) {
     if (!remove_one(walker, options)) break;
     path.push_back(walker.network());
     if (options.progress) options.progress(walker);
-    if (walker.deviation().max_percent > options.hopeless * options.percent) break;
+    if (walker.deviation().max_percent > options.hopeless) break;
   }
   return path;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "walker.hpp"
@@ -18,7 +19,8 @@ struct DescentOptions {
   double finest = 1.0;    // distances are measured in units of at least finest * percent
   int fewest = 1;         // ends with so many cables
   int tries = 2;          // of different cables before it gives up
-  double hopeless = 2.0;  // ends further from the target than this times `percent`
+  // Ends further from the target than this, in %.
+  double hopeless = std::numeric_limits<double>::infinity();
   std::function<void(const Walker&)> progress{};  // after each removal; may be empty
 };
 

@@ -31,8 +31,8 @@ Found search_on(const Problem& problem, const equilibrium::State& at_target,
                 const symmetry::Group* symmetry, std::span<const symmetry::Group> hints,
                 const ThinOptions& options, const Control& control, StageResult& result) {
   const Network bare{problem.structure, at_target};
-  std::vector<Balanced> balanced{{.symmetry = symmetry, .part = 0.1, .descents = 4},
-                                 {.symmetry = symmetry, .part = 0.5, .descents = 2}};
+  std::vector<Balanced> balanced{{.symmetry = symmetry, .part = 0.1, .descents = 6},
+                                 {.symmetry = symmetry, .part = 0.5, .descents = 3}};
   if (!symmetry)
     for (const auto& hint : hints) balanced.push_back({&hint, 0.1, 2});
   in_parallel(static_cast<int>(balanced.size()), options.threads, [&](int i) {

@@ -11,13 +11,16 @@
 namespace tencer::sparsify {
 namespace {
 
-// Softness and finest unit of a descent (see DescentOptions): which of them wins differs from
-// target to target.
+// Softness and finest unit of a descent (see DescentOptions), and how much further from the target
+// it is steered than is wanted, for the last fit to make good (not when a number is asked for):
+// which of them wins differs from target to target.
 struct Temper {
   double softness = 0.0;
   double finest = 0.0;
+  double looseness = 1.0;
 };
-constexpr Temper tempers[] = {{0.5, 1.0}, {5.0, 0.2}, {0.5, 0.2}, {0.05, 1.0}};
+constexpr Temper tempers[] = {{0.5, 1.0, 1.0}, {5.0, 0.2, 1.0},  {0.5, 1.0, 4.0},
+                              {0.5, 0.2, 1.0}, {0.05, 1.0, 1.0}, {0.05, 1.0, 4.0}};
 constexpr int temper_count = std::size(tempers);
 
 }  // namespace
@@ -46,14 +49,14 @@ void Thinning::report(const Walker& walker) {
 
 DescentOptions Thinning::descent(int temper, double percent) {
   const bool by_number = options_.cables > 0;
-  return {
-      .percent = percent,
-      .diagonal = diagonal_,
-      .softness = tempers[temper].softness,
-      .finest = tempers[temper].finest,
-      .fewest = std::max(options_.cables, 1),
-      .hopeless = by_number ? std::numeric_limits<double>::infinity() : DescentOptions{}.hopeless,
-      .progress = [this](const Walker& at) { report(at); }};
+  constexpr double hopeless = 3;  // what is further away than this is not fitted back
+  return {.percent = (by_number ? 1.0 : tempers[temper].looseness) * percent,
+          .diagonal = diagonal_,
+          .softness = tempers[temper].softness,
+          .finest = tempers[temper].finest,
+          .fewest = std::max(options_.cables, 1),
+          .hopeless = by_number ? std::numeric_limits<double>::infinity() : hopeless * percent,
+          .progress = [this](const Walker& at) { report(at); }};
 }
 
 void Thinning::add_fitted(const Network& network, const Task& task, Pool& pool) {

@@ -16,7 +16,7 @@ namespace tencer::sparsify {
 // the network has and its descents keep.
 struct Start {
   Network network{};
-  int descents = 4;
+  int descents = 6;
   const symmetry::Group* symmetry = nullptr;
 };
 
