@@ -14,7 +14,7 @@ namespace {
 constexpr const char* examples = R"(Examples:
   tencer simulate knot/design.json                            from the pose, inextensible cables
   tencer simulate knot/design.json --from target --cables springs -o settled
-  tencer simulate knot/design.json --refine 4 -o fine         with rods of four times the vertices
+  tencer simulate knot/design.json -o fine --refine           with rods of four times the vertices
 
 Inextensible cables have the design's lengths and go slack rather than push. Springs use each cable's
 stiffness and rest_length. Without -o nothing is written. --refine divides every edge and tells how
@@ -67,9 +67,12 @@ void add_simulate(CLI::App& app, Command& chosen) {
   command->add_option("--cables", request->cables, "What the cables are")
       ->check(CLI::IsMember({"springs", "inextensible"}))
       ->capture_default_str();
-  command->add_option("--refine", request->refine, "Edges into which every edge is divided")
+  command
+      ->add_option("--refine", request->refine,
+                   "Edges for each edge: 1 without this option, 4 when no number follows")
       ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+      ->expected(0, 1)
+      ->default_str("4");
   command->add_option("--tolerance", request->tolerance, "Of forces, relative to the rods' own")
       ->check(positive_number())
       ->capture_default_str();

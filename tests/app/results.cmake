@@ -57,6 +57,9 @@ expect_status(0)
 expect_contains("${out}" "2 edges for each")
 run_tencer(simulate finer/design.json --refine 2)
 expect_status(0)
+run_tencer(simulate first/design.json --refine)
+expect_status(0)
+expect_contains("${out}" "4 edges for each")
 
 # A tolerance that cannot be reached.
 run_tencer(design ring.obj -o coarse --max-error 1e-9 --quiet)
