@@ -22,8 +22,7 @@ struct CandidateSets {
   std::vector<springs::Cable> without_pins{};  // empty when none are handed over
 };
 
-// every_number: networks of every number of
-// cables on the way are fitted.
+// every_number: networks of every number of cables on the way are fitted.
 Outcome run_route(const io::DesignSettings& settings, const Prepared& prepared,
                   const CandidateSets& candidates, const optimize::Backend& backend,
                   bool every_number, const DesignOptions& options);

@@ -44,8 +44,7 @@ bool remove(Walker& walker, int orbit) {
 
 // Orbits from the cheapest to remove on; those without which the network would not be stable come
 // last.
-std::vector<int> removal_order(const Walker& walker) {
-  const Planner plan = walker.planner();
+std::vector<int> removal_order(const Walker& walker, const Planner& plan) {
   Eigen::VectorXd costs = plan.removal_costs();
   const Eigen::VectorXd soft = walker.removal_softness(plan.model());
   constexpr double unstable = 1e3;
@@ -58,12 +57,12 @@ std::vector<int> removal_order(const Walker& walker) {
 }
 
 // Takes out many of the cheapest at once while there are many.
-bool remove_several(Walker& walker, const std::vector<int>& order, int fewest) {
+bool remove_several(Walker& walker, const Planner& plan, const std::vector<int>& order,
+                    int fewest) {
   const auto largest = static_cast<int>(walker.cables() / order.size());  // mostly, of orbits
   const int several =
       std::min(static_cast<int>(order.size()) / 6, (walker.cables() - fewest) / largest);
   if (several < 2) return false;
-  const Planner plan = walker.planner();
   const std::vector<int> out(order.begin(), order.begin() + several);
   return walker.move(plan.model(), plan.step(out), out, far);
 }
@@ -76,8 +75,9 @@ bool remove_one(Walker& walker, const DescentOptions& options) {
   const double good = std::max(growth * walker.value(), fits_well);
   std::optional<Network> best;
   double least = std::numeric_limits<double>::infinity();
-  const auto order = removal_order(walker);
-  if (remove_several(walker, order, options.fewest)) {
+  const Planner plan = walker.planner();
+  const auto order = removal_order(walker, plan);
+  if (remove_several(walker, plan, order, options.fewest)) {
     if (walker.value() > fits_well) walker.refit(3);
     if (walker.value() <= good) return true;
     if (!walker.restart(before)) return false;

@@ -14,7 +14,7 @@ double diagonal_of(const sensitivity::Target& target) {
   return geometry::bounding_box_diagonal(curves);
 }
 
-Choice fit(Walker& walker, const sensitivity::Target& target, Measure measure) {
+void fit(Walker& walker, const sensitivity::Target& target, Measure measure) {
   constexpr double softness = 1e-2;
   constexpr double nearly_largest = 8;  // the power of the norm
   constexpr int rounds = 3;
@@ -31,10 +31,6 @@ Choice fit(Walker& walker, const sensitivity::Target& target, Measure measure) {
     walker.refit(6, 0.03);
     if (round > 0 && error() > 0.95 * before) break;
   }
-  return {.network = walker.network(),
-          .max_percent = walker.deviation().max_percent,
-          .rms_percent = walker.deviation().rms_percent,
-          .smallest_eigenvalue = walker.softest()};
 }
 
 }  // namespace tencer::sparsify

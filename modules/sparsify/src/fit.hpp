@@ -1,7 +1,8 @@
 // The last touch to a network: as close to its target as it goes without losing stability.
 #pragma once
 
-#include "pool.hpp"
+#include <tencer/sparsify/thin.hpp>
+
 #include "walker.hpp"
 
 namespace tencer::sparsify {
@@ -9,6 +10,6 @@ namespace tencer::sparsify {
 double diagonal_of(const sensitivity::Target& target);  // of its bounding box
 
 // Fits what the walker is at, which must be usable, and leaves it there.
-Choice fit(Walker& walker, const sensitivity::Target& target, Measure measure);
+void fit(Walker& walker, const sensitivity::Target& target, Measure measure);
 
 }  // namespace tencer::sparsify

@@ -35,6 +35,7 @@ Found search_on(const Problem& problem, const equilibrium::State& at_target,
                                  {.symmetry = symmetry, .part = 0.5, .descents = 3}};
   if (!symmetry)
     for (const auto& hint : hints) balanced.push_back({&hint, 0.1, 2});
+  const StageClock balancing("balance", control);
   in_parallel(static_cast<int>(balanced.size()), options.threads, [&](int i) {
     auto& [group, part, descents, outcome] = balanced[i];
     outcome = balance(bare, problem.target, problem.candidates, group,
@@ -46,7 +47,16 @@ Found search_on(const Problem& problem, const equilibrium::State& at_target,
   if (first == balanced.end()) first = balanced.begin();
   result.network = first->outcome.network;
   result.interrupted = first->outcome.interrupted;
-  for (auto& row : first->outcome.trace) result.trace.push_back(std::move(row));
+  // One row tells of all, which ran side by side.
+  StageRow row = first->outcome.trace.back();
+  row.seconds = balancing.seconds();
+  row.solves = row.iterations = 0;
+  for (const auto& one : balanced)
+    for (const StageRow& own : one.outcome.trace) {
+      row.solves += own.solves;
+      row.iterations += own.iterations;
+    }
+  result.trace.push_back(std::move(row));
   if (!holds(*first) || result.interrupted) return {};
   std::vector<Start> starts;
   for (auto& [group, part, descents, outcome] : balanced)
@@ -113,6 +123,7 @@ ThinResult search(const Network& bare, const sensitivity::Target& target, const 
                   std::span<const symmetry::Group> hints, const ThinOptions& options,
                   const Control& control) {
   validate(options);
+  validate(rules, bare.structure);
   StageResult result{.network = bare};
   Pool pool;
   if (const auto problem = coarsened(bare.structure, target, rules)) {
