@@ -1,7 +1,6 @@
 #include <catch2/catch.hpp>
 #include <tencer/equilibrium/stability.hpp>
 #include <tencer/sparsify/balance.hpp>
-#include <tencer/symmetry/detect.hpp>
 #include <tencer/symmetry/tie.hpp>
 
 #include "models.hpp"
@@ -15,17 +14,6 @@ namespace {
 Network bare_network(const Model& model) {
   return {.structure = model.structure,
           .state = equilibrium::make_state(model.structure, model.positions)};
-}
-
-symmetry::Group group_of(const Model& model) {
-  symmetry::Figure figure;
-  for (std::size_t r = 0; r < model.structure.rods.size(); ++r) {
-    const auto& rod = model.structure.rods[r];
-    figure.curves.push_back({.points = model.positions[r], .closed = rod.closed});
-    figure.rods.emplace_back(rod.rest_lengths, rod.closed);
-    figure.classes.push_back(0);
-  }
-  return symmetry::detect(figure).group;
 }
 
 }  // namespace

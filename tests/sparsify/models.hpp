@@ -8,6 +8,7 @@
 #include <tencer/sparsify/decimate.hpp>
 #include <tencer/sparsify/dense.hpp>
 #include <tencer/sparsify/rules.hpp>
+#include <tencer/symmetry/detect.hpp>
 #include <vector>
 
 namespace tencer::sparsify::test {
@@ -30,6 +31,17 @@ inline Model make_model(std::vector<geometry::Polyline> curves) {
     model.positions.push_back(curve.points);
   }
   return model;
+}
+
+inline symmetry::Group group_of(const Model& model) {
+  symmetry::Figure figure;
+  for (std::size_t r = 0; r < model.structure.rods.size(); ++r) {
+    const auto& rod = model.structure.rods[r];
+    figure.curves.push_back({.points = model.positions[r], .closed = rod.closed});
+    figure.rods.emplace_back(rod.rest_lengths, rod.closed);
+    figure.classes.push_back(0);
+  }
+  return symmetry::detect(figure).group;
 }
 
 inline Model trefoil(int vertices = 60) {

@@ -1,6 +1,5 @@
 #include <catch2/catch.hpp>
 #include <tencer/sparsify/search.hpp>
-#include <tencer/symmetry/detect.hpp>
 #include <tencer/symmetry/orbit.hpp>
 #include <tencer/symmetry/subgroups.hpp>
 
@@ -20,17 +19,10 @@ struct Problem {
 };
 
 Problem problem_of(const Model& model, const Rules& rules = {}) {
-  symmetry::Figure figure;
-  for (std::size_t r = 0; r < model.structure.rods.size(); ++r) {
-    const auto& rod = model.structure.rods[r];
-    figure.curves.push_back({.points = model.positions[r], .closed = rod.closed});
-    figure.rods.emplace_back(rod.rest_lengths, rod.closed);
-    figure.classes.push_back(0);
-  }
   return {.bare = {model.structure, equilibrium::make_state(model.structure, model.positions)},
           .target = {.points = model.positions},
           .candidates = candidates(model.structure, model.positions, rules).value(),
-          .group = symmetry::detect(figure).group};
+          .group = group_of(model)};
 }
 
 ThinResult searched(const Problem& problem, const ThinOptions& options,

@@ -1,7 +1,6 @@
 #include <catch2/catch.hpp>
 #include <tencer/sparsify/balance.hpp>
 #include <tencer/sparsify/thin.hpp>
-#include <tencer/symmetry/detect.hpp>
 #include <tencer/symmetry/orbit.hpp>
 
 #include "models.hpp"
@@ -95,11 +94,7 @@ TEST_CASE("Thinning keeps to the rules") {
 
 TEST_CASE("Orbits stay together") {
   const Model model = trefoil();
-  symmetry::Figure figure;
-  figure.curves.push_back({.points = model.positions[0], .closed = true});
-  figure.rods.emplace_back(model.structure.rods[0].rest_lengths, true);
-  figure.classes.push_back(0);
-  const symmetry::Group group = symmetry::detect(figure).group;
+  const symmetry::Group group = group_of(model);
   const Start start = balanced(model, {}, &group);
   const auto result =
       thin(start.network, start.target, {}, start.candidates, &group, {.max_percent = 1.0});
