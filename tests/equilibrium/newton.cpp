@@ -222,6 +222,35 @@ TEST_CASE("stretching does not slow a solve down, however slender the rod") {
   CHECK(iterations[2] <= 2 * iterations[0]);
 }
 
+TEST_CASE("predicted forces spare a solve that starts from a predicted shape iterations") {
+  Structure ring;
+  const double length = 2 * std::numbers::pi;
+  ring.rods = {models::slender_rod(true, 48, length)};
+  ring.cables.push_back({.a = springs::OnRod{0, 0.1},
+                         .b = springs::OnRod{0, 0.1 + length / 2},
+                         .stiffness = 5,
+                         .rest_length = 1.5});
+  const Equilibrium first =
+      solve(System(ring), make_state(ring, {models::polygon(48, length)}), {.tolerance = 1e-9});
+  REQUIRE(first.usable());
+  // To first order, what a stronger cable does.
+  Linearisation at;
+  linearise(System(ring), first.state, at);
+  ring.cables[0].stiffness = 5.5;
+  const System stronger(ring);
+  const Eigen::VectorXd step = at.solve(-stronger.gradient(first.state));
+  const State start = stronger.displaced(first.state, step);
+  const Equilibrium without = solve(stronger, start, {.tolerance = 1e-9});
+  const Equilibrium with =
+      solve(stronger, start,
+            {.tolerance = 1e-9, .forces = predicted_forces(stronger, first.state, step)});
+  REQUIRE(without.usable());
+  REQUIRE(with.usable());
+  CHECK(with.iterations < without.iterations);
+  CHECK(with.energy == Approx(without.energy).epsilon(1e-12));
+  CHECK_THROWS_AS(solve(stronger, start, {.forces = InternalForces{}}), std::invalid_argument);
+}
+
 TEST_CASE("an equilibrium that some motion leaves at no cost is not called stable") {
   // Two rods that a single point ties together turn about it freely.
   Structure structure;

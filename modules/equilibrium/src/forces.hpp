@@ -43,8 +43,4 @@ Eigen::VectorXd edge_stiffness(const System& system);
 // Largest change of an edge under a step, relative to its length.
 double largest_rotation(const System& system, const State& state, const Eigen::VectorXd& step);
 
-// Forces of edges and cables after a step, by linearisation at `state`.
-InternalForces predicted_forces(const System& system, const State& state,
-                                const Eigen::VectorXd& step);
-
 }  // namespace tencer::equilibrium

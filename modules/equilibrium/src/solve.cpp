@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tencer/core/error.hpp>
 #include <tencer/equilibrium/solve.hpp>
 #include <utility>
 
@@ -233,7 +234,7 @@ void Newton::run(State start) {
   if (!std::isfinite(now.energy)) return finish(std::move(now), Reason::not_finite);
   if (system_.load_gradient().size() > 0 && !holds_loads(system_, rigid_modes(system_, now.state)))
     return finish(std::move(now), Reason::not_held);
-  now.forces = system_.internal_forces(now.state);
+  now.forces = options_.forces ? *options_.forces : system_.internal_forces(now.state);
 
   Point reference;  // the last point that lowered the energy, and the step tried from there
   Eigen::VectorXd reference_step;
@@ -303,6 +304,11 @@ void linearise(const System& system, const State& state, Linearisation& at) {
 
 Equilibrium solve(const System& system, State start, const SolveOptions& options,
                   Linearisation& workspace) {
+  core::require(
+      !options.forces || (options.forces->axial.size() == system.structure().rods.size() &&
+                          options.forces->tension.size() ==
+                              static_cast<Eigen::Index>(system.structure().cables.size())),
+      "SolveOptions::forces: needs those of every rod and cable");
   Equilibrium result;
   Newton(system, options, workspace, result).run(std::move(start));
   return result;

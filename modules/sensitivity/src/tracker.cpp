@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tencer/core/error.hpp>
 #include <tencer/sensitivity/tracker.hpp>
 #include <tencer/springs/law.hpp>
@@ -129,12 +130,14 @@ void polish(Configuration& at, equilibrium::Equilibrium& report) {
   }
 }
 
-equilibrium::Equilibrium solve(Configuration& at, State start, const TrackerOptions& options) {
+equilibrium::Equilibrium solve(Configuration& at, State start, const TrackerOptions& options,
+                               std::optional<equilibrium::InternalForces> forces = {}) {
   // An old matrix may have another pattern; the factor itself notices when it has.
   at.linearisation.matrix = at.system.pattern();
   equilibrium::Equilibrium result = equilibrium::solve(at.system, std::move(start),
                                                        {.tolerance = options.tolerance,
                                                         .max_iterations = options.max_iterations,
+                                                        .forces = std::move(forces),
                                                         .stop = options.stop},
                                                        at.linearisation);
   if (result.usable()) polish(at, result);
@@ -179,7 +182,10 @@ Trial Tracker::step(const Configuration& from, std::vector<Cable> cables) {
   const double size = extent(from.state);
   trial.predicted =
       trial.motion <= trusted * size && std::isfinite(trial_.system.energy(predicted));
-  trial.equilibrium = solve(trial_, trial.predicted ? predicted : from.state, options_);
+  trial.equilibrium = trial.predicted
+                          ? solve(trial_, predicted, options_,
+                                  equilibrium::predicted_forces(trial_.system, from.state, motion))
+                          : solve(trial_, from.state, options_);
   trial.correction = largest_motion(from, predicted, trial.equilibrium.state);
   const double allowed =
       std::max(options_.max_correction * trial.motion, options_.negligible * size);

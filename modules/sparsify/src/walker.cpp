@@ -64,6 +64,7 @@ bool Walker::settle(equilibrium::State start, const SoftModes& nearby,
   if (!solved.usable()) return false;
   trial_.state = std::move(solved.state);
   if (!trial_.linearisation.regular || trial_.linearisation.negative > 0) return false;
+  if (equilibrium::free_groups(trial_.linearisation.rigid) > task_.groups) return false;
   for (std::size_t c = 0; c < trial_.cables().size(); ++c) {
     const double length = equilibrium::span_of(trial_.system.stencils()[c], trial_.state).norm();
     if (!(springs::tension(trial_.cables()[c], length) > 0)) return false;
@@ -171,7 +172,8 @@ bool Walker::move(const LocalModel& model, const Eigen::VectorXd& step, const st
     std::get<springs::OnRod>(kind == sensitivity::Kind::position_a ? cables[c].a : cables[c].b).s +=
         change[i];
   }
-  equilibrium::State predicted = system.displaced(at_.state, model.motion * step);
+  const Eigen::VectorXd motion = model.motion * step;
+  equilibrium::State predicted = system.displaced(at_.state, motion);
   const Eigen::VectorXd density =
       (model.density + model.density_rates * step).cwiseMax(kept_density / 2 * model.density);
   std::vector<bool> gone(cables.size(), false);
@@ -189,10 +191,13 @@ bool Walker::move(const LocalModel& model, const Eigen::VectorXd& step, const st
   for (std::size_t c = 0; c < cables.size(); ++c)
     if (!gone[c]) left.push_back(cables[c]);
   trial_.system.set_cables(std::move(left));
+  auto forces = equilibrium::predicted_forces(system, at_.state, motion);
+  forces.tension = trial_.system.internal_forces(predicted).tension;
   const bool settled = settle(std::move(predicted), soft_,
                               {.tolerance = tolerance,
                                .max_iterations = most_iterations,
                                .farthest = farthest,
+                               .forces = std::move(forces),
                                .stop = control_.stop});
   if (!settled || !(trial_value_ < accepted)) return false;
   accept();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <tencer/equilibrium/rigid_modes.hpp>
@@ -37,6 +38,9 @@ struct SolveOptions {
   // Ends when the largest turns of an edge, added up over the steps, exceed this (in radians,
   // about): for those who look for an equilibrium near the start, or none.
   double farthest = std::numeric_limits<double>::infinity();
+  // Of edges and cables near the start, where they are known better than by the start's lengths: a
+  // change of shape predicted to first order leaves stiff edges far from the forces they will have.
+  std::optional<InternalForces> forces{};
   std::stop_token stop{};
 };
 

@@ -89,4 +89,8 @@ class System {
   int saddle_unknowns_ = 0;
 };
 
+// The forces after a step of the free unknowns, by linearisation at `state`.
+InternalForces predicted_forces(const System& system, const State& state,
+                                const Eigen::VectorXd& step);
+
 }  // namespace tencer::equilibrium
