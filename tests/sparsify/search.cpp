@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <tencer/equilibrium/built.hpp>
 #include <tencer/sparsify/search.hpp>
 #include <tencer/symmetry/orbit.hpp>
 #include <tencer/symmetry/subgroups.hpp>
@@ -80,6 +81,38 @@ TEST_CASE("Hints are tried besides, and bind nobody") {
   CHECK(cables(with.stage.network) <= 9);
   // The first descents are the same; what comes after may lead elsewhere, but not far.
   CHECK(error(problem, with) < 1.5 * error(problem, without));
+}
+
+TEST_CASE("What is said to settle from the target does, with inextensible cables") {
+  const Problem problem = problem_of(trefoil(60));
+  const auto hints = symmetry::subgroups(problem.group, 12);
+  const ThinResult result = searched(problem, {.max_percent = 1.0}, nullptr, hints);
+  int settling = 0;
+  for (const Choice& choice : result.choices) {
+    if (!choice.settles) continue;
+    ++settling;
+    equilibrium::Structure built = choice.network.structure;
+    const Eigen::VectorXd lengths = cable_lengths(choice.network);
+    for (Eigen::Index c = 0; c < lengths.size(); ++c) built.cables[c].rest_length = lengths[c];
+    const auto form = equilibrium::settle(built, problem.bare.state);
+    REQUIRE(form.equilibrium.usable());
+    const sensitivity::Target pose{.points = {choice.network.state[0].x}};
+    CHECK(sensitivity::deviation(pose, form.equilibrium.state).max_percent < 0.02);
+  }
+  CHECK(settling > 0);
+}
+
+TEST_CASE("A rod that needs no cables is tied to the one that does") {
+  // An ellipse must be held, a circle within it need not be.
+  Eigen::Matrix3Xd ellipse = geometry::circle(1.0, 40).points;
+  ellipse.row(0) *= 1.5;
+  const Problem problem =
+      problem_of(make_model({{.points = ellipse, .closed = true}, geometry::circle(0.5, 40)}));
+  const ThinResult result = searched(problem, {.max_percent = 2.0});
+  CHECK(result.stage.sound);
+  const equilibrium::System system(result.stage.network.structure);
+  CHECK(equilibrium::free_groups(equilibrium::rigid_modes(system, result.stage.network.state)) ==
+        1);
 }
 
 TEST_CASE("A search that is stopped gives what it has") {

@@ -1,5 +1,6 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <tencer/der/energy.hpp>
 #include <tencer/equilibrium/rigid_modes.hpp>
@@ -183,6 +184,11 @@ bool holds_loads(const System& system, const std::vector<RigidModes>& modes) {
 
 void remove_rigid(const std::vector<RigidModes>& modes, Eigen::Ref<Eigen::VectorXd> v) {
   for (const auto& mode : modes) v -= mode.basis * (mode.basis.transpose() * v);
+}
+
+int free_groups(const std::vector<RigidModes>& modes) {
+  return static_cast<int>(
+      std::ranges::count_if(modes, [](const auto& mode) { return mode.basis.cols() > 0; }));
 }
 
 }  // namespace tencer::equilibrium

@@ -27,11 +27,6 @@ Eigen::VectorXd lumped_lengths(const System& system) {
   return mass;
 }
 
-int groups_with_freedom(const std::vector<RigidModes>& rigid) {
-  return static_cast<int>(
-      std::ranges::count_if(rigid, [](const auto& mode) { return mode.basis.cols() > 0; }));
-}
-
 // Lanczos on the inverse of H + shift M, restricted to the null space of the constraints' columns
 // (size x m) and of rigid motion; shift makes H positive definite there.
 class Spectrum {
@@ -71,7 +66,7 @@ class Spectrum {
 
   Stability run() {
     Stability result;
-    const int groups = groups_with_freedom(at_.rigid);
+    const int groups = free_groups(at_.rigid);
     result.loose_groups = groups > 1 ? groups : 0;
     double shift = 0;
     if (!factorise(0)) return result;

@@ -146,8 +146,8 @@ Outcome run(const Job& job, bool every_number, const DesignOptions& options) {
 }
 
 // The networks certified one after the other, from the one asked for on, until one is complete: it
-// is better than one with fewer cables that does not stand or settles elsewhere. When none is, the
-// one asked for. Its row of the trace comes last.
+// is better than one that does not stand or settles elsewhere, unless it is much further from the
+// target. When none is, the one asked for. Its row of the trace comes last.
 io::Design first_complete(const Job& job, const Outcome& outcome, int tries) {
   const io::DesignSettings& settings = job.scene.design;
   const int step = settings.cables ? -1 : 1;
@@ -157,7 +157,10 @@ io::Design first_complete(const Job& job, const Outcome& outcome, int tries) {
   for (int k = 0; k < tries && i >= 0 && i < static_cast<int>(outcome.networks.size());
        i += step, ++k) {
     io::Design design = certified(settings, job.prepared, outcome.networks[i]);
-    const bool complete = design.status == io::DesignStatus::complete;
+    constexpr double worth = 2;  // times the distance
+    const bool complete = design.status == io::DesignStatus::complete &&
+                          (k == 0 || !settings.cables ||
+                           design.error->max_percent <= worth * best.error->max_percent);
     if (complete || k == 0) std::swap(best, design);
     if (!design.trace.empty()) checks.push_back(design.trace.back());
     if (complete) break;
@@ -184,26 +187,7 @@ core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& o
     return design;
   }
   constexpr int tries = 6;
-  io::Design design = first_complete(*job, outcome, tries);
-  // With an error asked for, a few more cables than the fewest are as good; many are not.
-  constexpr std::size_t few = 2;
-  const auto asked = outcome.networks[outcome.asked].structure.cables.size();
-  const bool complete = design.status == io::DesignStatus::complete;
-  if (complete && (scene.design.cables || design.cables.size() <= asked + few)) return design;
-  if (!answers(scene.design, design)) return design;
-  // What never stood has nothing to be thinned from.
-  if (outcome.networks.size() == 1 && !design.certificate->stable) return design;
-  say(options, core::Level::info,
-      std::to_string(asked) + " cables do not settle from the target: looking at every number");
-  const Outcome further = run(*job, true, options);
-  io::Design other = first_complete(*job, further, static_cast<int>(further.networks.size()));
-  if (other.status != io::DesignStatus::complete ||
-      (complete && other.cables.size() >= design.cables.size())) {
-    if (further.interrupted && !complete) design.status = io::DesignStatus::interrupted;
-    return design;
-  }
-  other.trace.insert(other.trace.begin(), design.trace.begin(), design.trace.end());
-  return other;
+  return first_complete(*job, outcome, tries);
 }
 
 core::Expected<std::vector<io::Design>> trade_off(const io::Scene& scene,

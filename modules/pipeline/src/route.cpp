@@ -18,7 +18,7 @@
 namespace tencer::pipeline {
 namespace {
 
-constexpr int largest_hint = 12;  // operations of symmetric networks to begin with
+constexpr int largest_hint = 24;  // operations of symmetric networks to begin with
 
 sparsify::SecondDerivatives second_derivatives(const std::string& name) {
   if (name == "exact") return sparsify::SecondDerivatives::exact;
@@ -147,7 +147,7 @@ Outcome run_route(const io::DesignSettings& settings, const Prepared& prepared,
         });
   } else {
     std::vector<symmetry::Group> hints;
-    if (!symmetry) hints = symmetry::subgroups(detected_symmetry(prepared), largest_hint);
+    if (!symmetry) hints = symmetry::subgroups(near_symmetry(prepared), largest_hint);
     route.then([&](const auto& network) {
       return keep(sparsify::search(network, target, prepared.rules, candidates.with_pins, symmetry,
                                    hints, first_options, control));

@@ -236,9 +236,12 @@ core::Expected<symmetry::Symmetry> given(const io::Scene& scene, const Prepared&
   return core::Error{scene.source, "design." + error.where + ": " + error.message};
 }
 
-symmetry::Symmetry detected(const Prepared& prepared) {
+const double exact = symmetry::Options{}.tolerance;
+
+symmetry::Symmetry detected(const Prepared& prepared, double tolerance) {
   const symmetry::Figure figure = figure_of(prepared);
-  return symmetry::detect(figure, {.objection = Objections(prepared, figure)});
+  return symmetry::detect(figure,
+                          {.tolerance = tolerance, .objection = Objections(prepared, figure)});
 }
 
 std::string direction_text(const Eigen::Vector3d& direction) {
@@ -260,16 +263,19 @@ core::Expected<std::optional<symmetry::Group>> symmetry_of(const io::Scene& scen
     if (!found) return found.error();
     group = std::move(found->group);
   } else if (scene.design.symmetry == "detect") {
-    group = detected_symmetry(prepared);
+    group = detected(prepared, exact).group;
   }
   if (group && group->order() == 1) group.reset();
   return group;
 }
 
-symmetry::Group detected_symmetry(const Prepared& prepared) { return detected(prepared).group; }
+symmetry::Group near_symmetry(const Prepared& prepared) {
+  constexpr double nearly = 1e-2;
+  return detected(prepared, nearly).group;
+}
 
 std::string symmetry_in_words(const Prepared& prepared) {
-  const symmetry::Symmetry found = detected(prepared);
+  const symmetry::Symmetry found = detected(prepared, exact);
   if (found.group.order() == 1) return {};
   std::vector<std::string> parts;
   int axes = 0;

@@ -16,15 +16,25 @@
 namespace tencer::sparsify {
 namespace {
 
-springs::Cable taut(const Pull& pull, double tension, double rho) {
-  springs::Cable cable = pull.cable;
-  cable.rest_length = rho * pull.length;
-  cable.stiffness = tension / (pull.length - cable.rest_length);
-  return cable;
+// The shortest candidate between two groups of rods, null when there is none.
+const Pulls* shortest_joining(const equilibrium::Structure& structure,
+                              const std::vector<Pulls>& pulls) {
+  const auto groups = equilibrium::groups(structure);
+  const Pulls* shortest = nullptr;
+  for (const Pulls& candidate : pulls) {
+    const springs::Cable& cable = candidate.front().cable;
+    const auto* a = std::get_if<springs::OnRod>(&cable.a);
+    const auto* b = std::get_if<springs::OnRod>(&cable.b);
+    const bool joins = a && b && groups[a->rod] != groups[b->rod];
+    if (joins && (!shortest || candidate.front().length < shortest->front().length))
+      shortest = &candidate;
+  }
+  return shortest;
 }
 
-// Adds, one at a time, the candidates that resist the network's softest motions most, until all are
-// clearly stable where the rods are; a network that stays unstable shows when it is solved for.
+// Adds, one at a time, candidates that join groups of rods which are free of each other, then those
+// that resist the network's softest motions most, until all are clearly stable where the rods are;
+// a network that stays unstable shows when it is solved for.
 void stabilise(Network& network, const std::vector<Pulls>& pulls, double tension, double rho,
                const Control& control) {
   constexpr int most = 40;
@@ -33,6 +43,12 @@ void stabilise(Network& network, const std::vector<Pulls>& pulls, double tension
   for (int added = 0; added < most && !control.stop.stop_requested(); ++added) {
     const equilibrium::System system(network.structure);
     equilibrium::linearise(system, network.state, at);
+    if (equilibrium::free_groups(at.rigid) > 1)
+      if (const Pulls* joining = shortest_joining(network.structure, pulls)) {
+        for (const Pull& pull : *joining)
+          network.structure.cables.push_back(cable_of(pull, tension, rho));
+        continue;
+      }
     linalg::SymmetricMatrix shifted = at.matrix;
     const Eigen::VectorXd shift = margin * eigenvalue_unit(system) * lumped_mass(system);
     for (int i = 0; i < shifted.cols(); ++i) shifted.coeffRef(i, i) -= shift[i];
@@ -57,7 +73,7 @@ void stabilise(Network& network, const std::vector<Pulls>& pulls, double tension
       }
     }
     if (!best) return;
-    for (const Pull& pull : *best) network.structure.cables.push_back(taut(pull, tension, rho));
+    for (const Pull& pull : *best) network.structure.cables.push_back(cable_of(pull, tension, rho));
   }
 }
 
@@ -132,7 +148,7 @@ bool settle_balanced(const Network& bare, const sensitivity::Target& target,
     for (std::size_t i = 0; i < found.set.size(); ++i)
       for (const Pull& pull : pulls[found.set[i]])
         network.structure.cables.push_back(
-            taut(pull, found.values[static_cast<Eigen::Index>(i)], rho));
+            cable_of(pull, found.values[static_cast<Eigen::Index>(i)], rho));
     stabilise(network, pulls, gentle * found.values.mean(), rho, control);
     const bool sound = settle(network, slack, symmetry, control, effort);
     const double reached = sensitivity::deviation(target, network.state).max_percent;

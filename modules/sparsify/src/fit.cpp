@@ -14,8 +14,7 @@ double diagonal_of(const sensitivity::Target& target) {
   return geometry::bounding_box_diagonal(curves);
 }
 
-void fit(Walker& walker, const sensitivity::Target& target, Measure measure) {
-  constexpr double softness = 1e-2;
+void fit(Walker& walker, const sensitivity::Target& target, Measure measure, double softness) {
   constexpr double nearly_largest = 8;  // the power of the norm
   constexpr int rounds = 3;
   const double diagonal = diagonal_of(target);

@@ -9,7 +9,7 @@ namespace tencer::sparsify {
 
 double diagonal_of(const sensitivity::Target& target);  // of its bounding box
 
-// Fits what the walker is at, which must be usable, and leaves it there.
-void fit(Walker& walker, const sensitivity::Target& target, Measure measure);
+// Fits what the walker is at, which must be usable, and leaves it there. softness: see Drive.
+void fit(Walker& walker, const sensitivity::Target& target, Measure measure, double softness);
 
 }  // namespace tencer::sparsify

@@ -1,13 +1,14 @@
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <tencer/sparsify/balance.hpp>
-#include <tencer/sparsify/rest_length.hpp>
 #include <tencer/sparsify/search.hpp>
 #include <utility>
 
 #include "coarse.hpp"
 #include "parallel.hpp"
+#include "selection.hpp"
 #include "thinning.hpp"
 
 namespace tencer::sparsify {
@@ -15,71 +16,126 @@ namespace {
 
 struct Found {
   Pool pool{};
-  double least_eigenvalue = 0.0;  // softer networks were not entered
+  // Of the task.
+  double least_eigenvalue = 0.0;
+  int groups = 1;
 };
 
-// A network that balances the forces to a part of the distance that is accepted.
-struct Balanced {
-  const symmetry::Group* symmetry = nullptr;
-  double part = 0.1;
-  int descents = 1;
-  StageResult outcome{};
-};
+// One row tells of several stages that ran side by side, `seconds` long; `told` has its figures.
+StageRow together(const StageResult& told, std::span<const StageResult> all, double seconds) {
+  StageRow row = told.trace.back();
+  row.seconds = seconds;
+  row.solves = row.iterations = 0;
+  for (const StageResult& one : all)
+    for (const StageRow& own : one.trace) {
+      row.solves += own.solves;
+      row.iterations += own.iterations;
+    }
+  return row;
+}
+
+// A part of the distance that is accepted, within reason.
+double percent_of(const ThinOptions& options, double part) {
+  return part * std::clamp(options.max_percent, 1e-2, 1.0);
+}
+
+// Networks that balance the forces to parts of the distance that is accepted, all of it convex, and
+// how many descents each is worth. The first row and network of `result` are of the first that
+// holds; failing all, of the first.
+std::vector<Start> balanced(const Network& bare, const Problem& problem,
+                            const symmetry::Group* symmetry, const ThinOptions& options,
+                            const Control& control, StageResult& result) {
+  struct Fineness {
+    double part;
+    int descents;
+  };
+  constexpr Fineness finenesses[] = {{0.1, 6}, {0.5, 3}};
+  std::vector<StageResult> outcomes(std::size(finenesses));
+  const StageClock clock("balance", control);
+  in_parallel(static_cast<int>(outcomes.size()), options.threads, [&](int i) {
+    outcomes[i] = balance(bare, problem.target, problem.candidates, symmetry,
+                          {.percent = percent_of(options, finenesses[i].part)}, control);
+  });
+  auto told = std::ranges::find_if(outcomes, &StageResult::sound);
+  if (told == outcomes.end()) told = outcomes.begin();
+  result.network = told->network;
+  result.interrupted = told->interrupted;
+  result.trace.push_back(together(*told, outcomes, clock.seconds()));
+  std::vector<Start> starts;
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    if (outcomes[i].sound)
+      starts.push_back({.network = std::move(outcomes[i].network),
+                        .descents = finenesses[i].descents,
+                        .symmetry = symmetry});
+  return starts;
+}
+
+// Networks of few orbits of each group; of a group whose few orbits do not hold, one that balances
+// the forces.
+std::vector<Start> symmetric(const Network& bare, const Problem& problem,
+                             std::span<const symmetry::Group* const> groups, int most,
+                             const ThinOptions& options, const Control& control, Effort& effort) {
+  std::vector<std::vector<Start>> starts(groups.size());
+  std::vector<Effort> efforts(groups.size());
+  in_parallel(static_cast<int>(groups.size()), options.threads, [&](int i) {
+    const symmetry::Group* group = groups[i];
+    for (Network& network :
+         select_few(bare, problem.target, problem.candidates, *group, most, control, efforts[i]))
+      starts[i].push_back({.network = std::move(network), .descents = 1, .symmetry = group});
+    if (!starts[i].empty()) return;
+    StageResult outcome = balance(bare, problem.target, problem.candidates, group,
+                                  {.percent = percent_of(options, 0.1)}, control);
+    for (const StageRow& row : outcome.trace) {
+      efforts[i].solves += row.solves;
+      efforts[i].iterations += row.iterations;
+    }
+    if (outcome.sound)
+      starts[i].push_back(
+          {.network = std::move(outcome.network), .descents = 2, .symmetry = group});
+  });
+  std::vector<Start> all;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    effort.solves += efforts[i].solves;
+    effort.iterations += efforts[i].iterations;
+    std::ranges::move(starts[i], std::back_inserter(all));
+  }
+  return all;
+}
 
 // All of the search on rods of one resolution; its rows and its best network go to `result`.
 Found search_on(const Problem& problem, const equilibrium::State& at_target,
                 const symmetry::Group* symmetry, std::span<const symmetry::Group> hints,
                 const ThinOptions& options, const Control& control, StageResult& result) {
   const Network bare{problem.structure, at_target};
-  std::vector<Balanced> balanced{{.symmetry = symmetry, .part = 0.1, .descents = 6},
-                                 {.symmetry = symmetry, .part = 0.5, .descents = 3}};
-  if (!symmetry)
-    for (const auto& hint : hints) balanced.push_back({&hint, 0.1, 2});
-  const StageClock balancing("balance", control);
-  in_parallel(static_cast<int>(balanced.size()), options.threads, [&](int i) {
-    auto& [group, part, descents, outcome] = balanced[i];
-    outcome = balance(bare, problem.target, problem.candidates, group,
-                      {.percent = part * std::clamp(options.max_percent, 1e-2, 1.0)}, control);
-  });
-  // What is told of, and begun with, is the first that holds; failing all, the first.
-  const auto holds = [](const Balanced& one) { return one.outcome.sound; };
-  auto first = std::ranges::find_if(balanced, holds);
-  if (first == balanced.end()) first = balanced.begin();
-  result.network = first->outcome.network;
-  result.interrupted = first->outcome.interrupted;
-  // One row tells of all, which ran side by side.
-  StageRow row = first->outcome.trace.back();
-  row.seconds = balancing.seconds();
-  row.solves = row.iterations = 0;
-  for (const auto& one : balanced)
-    for (const StageRow& own : one.outcome.trace) {
-      row.solves += own.solves;
-      row.iterations += own.iterations;
-    }
-  result.trace.push_back(std::move(row));
-  if (!holds(*first) || result.interrupted) return {};
-  std::vector<Start> starts;
-  for (auto& [group, part, descents, outcome] : balanced)
-    if (outcome.sound)
-      starts.push_back(
-          {.network = std::move(outcome.network), .descents = descents, .symmetry = group});
+  const auto full = balanced(bare, problem, symmetry, options, control, result);
+  if (full.empty() || result.interrupted) return {};
 
   StageClock clock("thin", control);
-  const Task task{.target = problem.target,
-                  .rules = problem.rules,
-                  .symmetry = symmetry,
-                  .least_eigenvalue = std::min(options.least_eigenvalue,
-                                               0.2 * stiffest_eigenvalue(starts.front().network))};
+  std::vector<const symmetry::Group*> groups;
+  if (symmetry)
+    groups.push_back(symmetry);
+  else
+    for (const auto& hint : hints) groups.push_back(&hint);
+  constexpr int few_at_least = 6;
+  const int most = std::max(
+      {few_at_least, options.cables, static_cast<int>(result.network.structure.cables.size()) / 2});
+  Effort effort;
+  const auto few = symmetric(bare, problem, groups, most, options, control, effort);
+  clock.count(effort);
+
+  const Task task =
+      task_for(full.front().network, problem.target, problem.rules, symmetry, options);
   Thinning thinning(task, problem.candidates, options, control, clock);
-  Found found{.least_eigenvalue = task.least_eigenvalue};
-  found.pool = thinning.descend_from(starts);
+  Found found{.least_eigenvalue = task.least_eigenvalue, .groups = task.groups};
+  Pool islands[] = {thinning.descend_from(full), thinning.descend_from(few)};
   const auto record = [&] {
+    for (const Pool& island : islands) found.pool.add(island);
     if (const Choice* best = found.pool.answer(options)) result.network = best->network;
     clock.count(thinning.take_effort());
     result.trace.push_back(clock.row(result.network, problem.target));
   };
   record();
-  thinning.improve(found.pool, 2, record);
+  thinning.improve(islands, 2, record);
   return found;
 }
 
@@ -141,7 +197,8 @@ ThinResult search(const Network& bare, const sensitivity::Target& target, const 
     const Task task{.target = target,
                     .rules = rules,
                     .symmetry = symmetry,
-                    .least_eigenvalue = found.least_eigenvalue};
+                    .least_eigenvalue = found.least_eigenvalue,
+                    .groups = found.groups};
     Thinning thinning(task, candidates, options, control, clock);
     carry_over(found.pool.best(), bare.structure, task, options, thinning, pool);
     const auto record = [&] {
@@ -153,7 +210,7 @@ ThinResult search(const Network& bare, const sensitivity::Target& target, const 
       record();
       // What was lost on the way may be found again.
       if (found.pool.answer(options) && better(*found.pool.answer(options), *best, options))
-        thinning.improve(pool, 1, record);
+        thinning.improve({&pool, 1}, 1, record);
     }
   }
   if (!pool.answer(options)) {

@@ -89,6 +89,28 @@ std::vector<Pulls> pulls_at(const equilibrium::System& system, const equilibrium
   return pulls;
 }
 
+springs::Cable cable_of(const Pull& pull, double tension, double rho) {
+  springs::Cable cable = pull.cable;
+  cable.rest_length = rho * pull.length;
+  cable.stiffness = tension / (pull.length - cable.rest_length);
+  return cable;
+}
+
+Displacements displacements(const equilibrium::System& bare, const equilibrium::State& state,
+                            const std::vector<Pulls>& pulls) {
+  Eigen::MatrixXd forces =
+      Eigen::MatrixXd::Zero(bare.size(), static_cast<Eigen::Index>(pulls.size()) + 1);
+  for (Eigen::Index c = 0; c + 1 < forces.cols(); ++c)
+    for (const Pull& pull : pulls[c])
+      for_each_unknown(bare, pull, [&](int i, double weight) { forces(i, c) += weight; });
+  forces.rightCols<1>() = -bare.rod_gradient(state);
+  Eigen::MatrixXd moved = compliance(bare, state).solve(forces);
+  const Eigen::VectorXd mass = lumped_mass(bare);
+  for (Eigen::Index i = 0; i < moved.rows(); ++i)
+    if (!(mass[i] > 0)) moved.row(i).setZero();
+  return {.columns = moved.leftCols(forces.cols() - 1), .goal = moved.rightCols<1>()};
+}
+
 linalg::Nonnegative balance_forces(const equilibrium::System& bare, const equilibrium::State& state,
                                    const std::vector<Pulls>& pulls, double accuracy) {
   const linalg::SymmetricFactor factor = compliance(bare, state);

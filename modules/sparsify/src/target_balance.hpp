@@ -24,6 +24,9 @@ std::vector<Pulls> pulls_at(const equilibrium::System& system, const equilibrium
                             std::span<const springs::Cable> candidates,
                             const symmetry::Group* symmetry);
 
+// The pull's cable with this tension; rho: its rest length relative to its length.
+springs::Cable cable_of(const Pull& pull, double tension, double rho);
+
 // Calls visit(unknown, weight) for the unknowns that a unit of tension acts on.
 template <class Visit>
 void for_each_unknown(const equilibrium::System& system, const Pull& pull, Visit&& visit) {
@@ -34,6 +37,16 @@ void for_each_unknown(const equilibrium::System& system, const Pull& pull, Visit
         visit(at, share.weight * pull.direction[axis]);
   }
 }
+
+// How far each unit of tension moves the positions, one column a candidate, and how far the rods'
+// own forces would, the other way: what `columns` are to add up to. Measured with the rods' Hessian
+// made positive definite by mass; other unknowns are zero.
+struct Displacements {
+  Eigen::MatrixXd columns{};
+  Eigen::VectorXd goal{};
+};
+Displacements displacements(const equilibrium::System& bare, const equilibrium::State& state,
+                            const std::vector<Pulls>& pulls);
 
 // Tensions of `pulls` at which the forces left move no vertex by more than `accuracy` (a length),
 // or as little as they can.

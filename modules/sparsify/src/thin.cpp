@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <tencer/core/error.hpp>
-#include <tencer/sparsify/rest_length.hpp>
 #include <tencer/sparsify/thin.hpp>
 
 #include "thinning.hpp"
@@ -19,11 +17,7 @@ ThinResult thin(const Network& network, const sensitivity::Target& target, const
   validate(rules, network.structure);
   StageClock clock("thin", control);
   if (auto refusal = refused(network, target, clock)) return {.stage = std::move(*refusal)};
-  const Task task{
-      .target = target,
-      .rules = rules,
-      .symmetry = symmetry,
-      .least_eigenvalue = std::min(options.least_eigenvalue, 0.2 * stiffest_eigenvalue(network))};
+  const Task task = task_for(network, target, rules, symmetry, options);
   Thinning thinning(task, candidates, options, control, clock);
   StageResult result{.network = network};
   const Start start{.network = network};
@@ -34,7 +28,7 @@ ThinResult thin(const Network& network, const sensitivity::Target& target, const
     result.trace.push_back(clock.row(result.network, target));
   };
   record();
-  thinning.improve(pool, 2, record);
+  thinning.improve({&pool, 1}, 2, record);
   finish(result, target, clock);
   return {.stage = std::move(result), .choices = pool.best()};
 }

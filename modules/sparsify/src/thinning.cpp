@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <tencer/equilibrium/built.hpp>
+#include <tencer/sparsify/rest_length.hpp>
 #include <utility>
 
 #include "fit.hpp"
@@ -11,19 +14,50 @@
 namespace tencer::sparsify {
 namespace {
 
-// Softness and finest unit of a descent (see DescentOptions), and how much further from the target
-// it is steered than is wanted, for the last fit to make good (not when a number is asked for):
-// which of them wins differs from target to target.
+// Softness and finest unit of a descent (see DescentOptions), and what it is steered by: a part of
+// the accepted distance, since what stays closer on the way loses fewer ways on, or with a number
+// of cables asked for so many times the distance that is wanted then. Which of them wins differs
+// from target to target.
 struct Temper {
   double softness = 0.0;
   double finest = 0.0;
-  double looseness = 1.0;
+  double part = 1.0;
+  double times = 1.0;
 };
-constexpr Temper tempers[] = {{0.5, 1.0, 1.0}, {5.0, 0.2, 1.0},  {0.5, 1.0, 4.0},
-                              {0.5, 0.2, 1.0}, {0.05, 1.0, 1.0}, {0.05, 1.0, 4.0}};
+constexpr Temper tempers[] = {{0.5, 1.0, 0.3, 1.0}, {5.0, 0.2, 0.3, 1.0},  {0.5, 1.0, 1.0, 0.3},
+                              {0.5, 0.2, 0.3, 1.0}, {0.05, 1.0, 0.3, 1.0}, {0.05, 1.0, 1.0, 3.0}};
 constexpr int temper_count = std::size(tempers);
 
+// Whether the walker's network as it is built, with inextensible cables, comes to rest where it is
+// when it is let go at the target.
+bool settles(const Walker& walker, const sensitivity::Target& target) {
+  constexpr double same_percent = 0.01;
+  Network built = walker.network();
+  const Eigen::VectorXd lengths = cable_lengths(built);
+  for (Eigen::Index c = 0; c < lengths.size(); ++c)
+    built.structure.cables[c].rest_length = lengths[c];
+  const auto form =
+      equilibrium::settle(built.structure, equilibrium::make_state(built.structure, target.points));
+  if (!form.equilibrium.usable()) return false;
+  sensitivity::Target pose = target;
+  for (std::size_t r = 0; r < pose.points.size(); ++r) pose.points[r] = built.state[r].x;
+  return 100 * sensitivity::deviation(pose, form.equilibrium.state).max <=
+         same_percent * diagonal_of(target);
+}
+
 }  // namespace
+
+Task task_for(const Network& start, const sensitivity::Target& target, const Rules& rules,
+              const symmetry::Group* symmetry, const ThinOptions& options) {
+  constexpr double softer = 0.2;  // than the start
+  const equilibrium::System system(start.structure);
+  return {
+      .target = target,
+      .rules = rules,
+      .symmetry = symmetry,
+      .least_eigenvalue = std::min(options.least_eigenvalue, softer * stiffest_eigenvalue(start)),
+      .groups = equilibrium::free_groups(equilibrium::rigid_modes(system, start.state))};
+}
 
 Thinning::Thinning(const Task& task, std::span<const springs::Cable> candidates,
                    const ThinOptions& options, const Control& control, const StageClock& clock)
@@ -50,7 +84,7 @@ void Thinning::report(const Walker& walker) {
 DescentOptions Thinning::descent(int temper, double percent) {
   const bool by_number = options_.cables > 0;
   constexpr double hopeless = 3;  // what is further away than this is not fitted back
-  return {.percent = (by_number ? 1.0 : tempers[temper].looseness) * percent,
+  return {.percent = (by_number ? tempers[temper].times : tempers[temper].part) * percent,
           .diagonal = diagonal_,
           .softness = tempers[temper].softness,
           .finest = tempers[temper].finest,
@@ -64,12 +98,18 @@ void Thinning::add_fitted(const Network& network, const Task& task, Pool& pool) 
   Control unstopped = control_;
   unstopped.stop = {};
   Walker walker(network, task, {}, unstopped);
-  if (walker.usable()) {
-    if (!control_.stop.stop_requested()) fit(walker, task.target, options_.measure);
-    pool.add({.network = walker.network(),
-              .max_percent = walker.deviation().max_percent,
-              .rms_percent = walker.deviation().rms_percent,
-              .smallest_eigenvalue = walker.softest()});
+  // What does not settle from the target may once it resists its softest motions more.
+  for (const double softness : {1e-2, 0.5}) {
+    if (!walker.usable()) break;
+    if (!control_.stop.stop_requested()) fit(walker, task.target, options_.measure, softness);
+    Choice choice{.network = walker.network(),
+                  .max_percent = walker.deviation().max_percent,
+                  .rms_percent = walker.deviation().rms_percent,
+                  .smallest_eigenvalue = walker.softest(),
+                  .settles = settles(walker, task.target)};
+    const bool enough = choice.settles || control_.stop.stop_requested();
+    pool.add(std::move(choice));
+    if (enough) break;
   }
   count(walker);
 }
@@ -121,7 +161,7 @@ Pool Thinning::descend_from(std::span<const Start> starts) {
     if (!walker.usable()) return;
     const auto path = descend(walker, descent(temper, percent));
     count(walker);
-    pools[i] = choose(path, task);
+    pools[i] = choose(path, task_);
   });
   Pool all;
   for (auto& pool : pools) all.add(std::move(pool));
@@ -136,9 +176,9 @@ Pool Thinning::varied(const Choice& choice, int temper, int offer) {
                 control_);
   Pool pool;
   if (walker.usable()) {
-    const auto offers = best_offers(walker, task_, candidates_, offer + 1);
-    bool in = false;
-    if (static_cast<int>(offers.size()) > offer)
+    const auto offers = best_offers(walker, task_, candidates_, std::max(offer, 0) + 1);
+    bool in = offer < 0;
+    if (!in && static_cast<int>(offers.size()) > offer)
       for (double part = 1; part > 0.05 && !in; part /= 4)
         in = walker.restart(with_offer(choice.network, offers[offer], part));
     if (in) {
@@ -150,26 +190,43 @@ Pool Thinning::varied(const Choice& choice, int temper, int offer) {
   return pool;
 }
 
-Pool Thinning::vary(const Choice& choice, int round) {
-  std::vector<Pool> pools(temper_count);
-  in_parallel(temper_count, options_.threads, [&](int i) {
-    pools[i] = varied(choice, (i + round) % temper_count, i + temper_count * round);
-  });
-  Pool all;
-  for (auto& pool : pools) all.add(std::move(pool));
-  return all;
+// What there is to vary: of each island the best, null where it has none with cables.
+std::vector<const Choice*> Thinning::bests(std::span<const Pool> islands) const {
+  std::vector<const Choice*> result;
+  for (const Pool& island : islands) {
+    const Choice* best = island.answer(options_);
+    result.push_back(best && cables_of(*best) > 0 ? best : nullptr);
+  }
+  return result;
 }
 
-void Thinning::improve(Pool& pool, int patience, const std::function<void()>& record) {
+void Thinning::vary(std::span<Pool> islands, int round) {
+  const auto found = bests(islands);
+  std::vector<int> inhabited;
+  for (int i = 0; i < static_cast<int>(found.size()); ++i)
+    if (found[i]) inhabited.push_back(i);
+  const int count = static_cast<int>(inhabited.size());
+  std::vector<Pool> pools(temper_count);
+  in_parallel(temper_count, options_.threads, [&](int k) {
+    pools[k] = varied(*found[inhabited[k % count]], (k + round) % temper_count,
+                      (k + temper_count * round) / count - 1);
+  });
+  for (int k = 0; k < temper_count; ++k) islands[inhabited[k % count]].add(std::move(pools[k]));
+}
+
+void Thinning::improve(std::span<Pool> islands, int patience, const std::function<void()>& record) {
   constexpr int most_rounds = 12;
+  if (options_.every_number) return;
   int waited = 0;
-  for (int round = 0; round < most_rounds && waited < patience && !clock_.stopped() &&
-                      !options_.every_number && pool.answer(options_);
-       ++round) {
-    const Choice best = *pool.answer(options_);
-    if (cables_of(best) == 0) return;
-    pool.add(vary(best, waited));
-    waited = better(*pool.answer(options_), best, options_) ? 0 : waited + 1;
+  for (int round = 0; round < most_rounds && waited < patience && !clock_.stopped(); ++round) {
+    std::vector<std::optional<Choice>> before;
+    for (const Choice* best : bests(islands))
+      before.push_back(best ? std::optional(*best) : std::nullopt);
+    if (std::ranges::none_of(before, [](const auto& best) { return best.has_value(); })) return;
+    vary(islands, waited);
+    ++waited;
+    for (std::size_t i = 0; i < islands.size(); ++i)
+      if (before[i] && better(*islands[i].answer(options_), *before[i], options_)) waited = 0;
     record();
   }
 }

@@ -20,6 +20,10 @@ struct Start {
   const symmetry::Group* symmetry = nullptr;
 };
 
+// Nothing much softer than `start` is entered, nor anything whose rods are more free of each other.
+Task task_for(const Network& start, const sensitivity::Target& target, const Rules& rules,
+              const symmetry::Group* symmetry, const ThinOptions& options);
+
 class Thinning {
  public:
   // Refers to everything.
@@ -29,9 +33,9 @@ class Thinning {
   // Descents from each start, and of each the networks that answer what is asked.
   Pool descend_from(std::span<const Start> starts);
 
-  // Varies the best network, round by round, until `patience` rounds bring nothing better, and
-  // calls record() after each.
-  void improve(Pool& pool, int patience, const std::function<void()>& record);
+  // Varies the best network of each island, round by round, until `patience` rounds bring nothing
+  // better on any, and calls record() after each.
+  void improve(std::span<Pool> islands, int patience, const std::function<void()>& record);
 
   // The network fitted as closely as it goes, or as it is when there is no time left; adds nothing
   // when there is no stable equilibrium near it.
@@ -41,12 +45,14 @@ class Thinning {
   Effort take_effort();
 
  private:
-  // Networks like this one but for a cable more and others less, in several ways; what is tried
-  // differs from round to round.
-  Pool vary(const Choice& choice, int round);
+  // Adds networks like the islands' best but for a cable more and others less, in several ways;
+  // what is tried differs from round to round.
+  void vary(std::span<Pool> islands, int round);
 
+  std::vector<const Choice*> bests(std::span<const Pool> islands) const;
   DescentOptions descent(int temper, double percent);
   Pool choose(const std::vector<Network>& path, const Task& task);
+  // offer: which of the best cables goes in; -1: none.
   Pool varied(const Choice& choice, int temper, int offer);
   void count(const Walker& walker);
   void report(const Walker& walker);

@@ -23,6 +23,7 @@ struct Task {
   const Rules& rules;
   const symmetry::Group* symmetry = nullptr;  // null: none
   double least_eigenvalue = 0.0;              // softer networks are not entered
+  int groups = 1;                             // of rods, free of each other, at most
 };
 
 // The objective is the mismatch of `aim` plus softness * sum of (10 least_eigenvalue / eigenvalue)

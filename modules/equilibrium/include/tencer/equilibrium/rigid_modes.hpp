@@ -24,6 +24,9 @@ struct RigidModes {
 
 std::vector<RigidModes> rigid_modes(const System& system, const State& state);
 
+// Groups that some rigid motion is left to: two of them are free of each other.
+int free_groups(const std::vector<RigidModes>& modes);
+
 // Adds R R^T for every group.
 void anchor(const System& system, const std::vector<RigidModes>& modes,
             linalg::SymmetricMatrix& matrix);

@@ -18,10 +18,10 @@ namespace tencer::pipeline {
 core::Expected<std::optional<symmetry::Group>> symmetry_of(const io::Scene& scene,
                                                            const Prepared& prepared);
 
-// What detect finds, at least the identity.
-symmetry::Group detected_symmetry(const Prepared& prepared);
+// What the target nearly has, to a hundredth of its bounding box's diagonal; at least the identity.
+symmetry::Group near_symmetry(const Prepared& prepared);
 
-// The same in words, such as "a 3-fold rotation about (0, 0, 1) and a mirror plane
+// What detect finds in words, such as "a 3-fold rotation about (0, 0, 1) and a mirror plane
 // across (1, 0, 0)"; empty when the target has no symmetry.
 std::string symmetry_in_words(const Prepared& prepared);
 

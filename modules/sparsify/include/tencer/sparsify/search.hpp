@@ -8,9 +8,9 @@
 namespace tencer::sparsify {
 
 // `bare`: the rods without cables, at the target. symmetry: null, or a group of structure and
-// target that the result must have. hints: groups of structure and target that some networks are
-// given to begin with, since symmetric networks are found sooner and are often good; the result
-// need not have them. Not looked at when `symmetry` is given.
+// target that the result must have. hints: groups that structure and target nearly have; some
+// networks are given them to begin with, since symmetric networks are found sooner and are often
+// good. The result need not have them. Not looked at when `symmetry` is given.
 ThinResult search(const Network& bare, const sensitivity::Target& target, const Rules& rules,
                   std::span<const springs::Cable> candidates, const symmetry::Group* symmetry,
                   std::span<const symmetry::Group> hints, const ThinOptions& options = {},

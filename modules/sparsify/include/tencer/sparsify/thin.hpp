@@ -35,6 +35,7 @@ struct Choice {
   double max_percent = 0.0;
   double rms_percent = 0.0;
   double smallest_eigenvalue = 0.0;  // with cables as good as inextensible
+  bool settles = false;  // as built, and let go at the target, it comes to rest in this pose
 };
 
 struct ThinResult {
