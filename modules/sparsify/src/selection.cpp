@@ -31,9 +31,9 @@ struct Set {
 };
 
 // The orbits to choose from, and the products of their displacements, worked out when needed.
-class Choices {
+class Orbits {
  public:
-  Choices(std::vector<Pulls> pulls, Displacements moved)
+  Orbits(std::vector<Pulls> pulls, Displacements moved)
       : pulls_(std::move(pulls)),
         columns_(std::move(moved.columns)),
         squares_(columns_.colwise().squaredNorm()),
@@ -64,7 +64,7 @@ class Choices {
 
 // Sets whose cables end in the same parts of the rods are alike: attachments slide later.
 using Signature = std::vector<std::array<int, 4>>;
-Signature signature_of(const Set& set, const Choices& choices, const equilibrium::System& system) {
+Signature signature_of(const Set& set, const Orbits& orbits, const equilibrium::System& system) {
   constexpr double parts = 32;
   const auto place = [&](const springs::End& end) -> std::array<int, 2> {
     if (const auto* anchor = std::get_if<springs::AtAnchor>(&end)) return {-1 - anchor->anchor, 0};
@@ -74,7 +74,7 @@ Signature signature_of(const Set& set, const Choices& choices, const equilibrium
   };
   Signature signature;
   for (const int o : set.orbits) {
-    const springs::Cable& cable = choices.pulls(o).front().cable;
+    const springs::Cable& cable = orbits.pulls(o).front().cable;
     auto a = place(cable.a);
     auto b = place(cable.b);
     if (b < a) std::swap(a, b);
@@ -84,24 +84,33 @@ Signature signature_of(const Set& set, const Choices& choices, const equilibrium
   return signature;
 }
 
+// So many of them at most, evenly spread: enough to choose from, on rods however many.
+std::vector<Pulls> some_of(std::vector<Pulls> all) {
+  constexpr std::size_t most = 4000;
+  if (all.size() <= most) return all;
+  std::vector<Pulls> some;
+  for (std::size_t k = 0; k < most; ++k) some.push_back(std::move(all[k * all.size() / most]));
+  return some;
+}
+
 // The sets of one orbit more: orthogonal least squares.
-void grow(const Set& set, Choices& choices, int most, std::vector<Set>& grown) {
+void grow(const Set& set, Orbits& orbits, int most, std::vector<Set>& grown) {
   const auto n = static_cast<Eigen::Index>(set.orbits.size());
-  Eigen::MatrixXd shared(choices.size(), n);  // products with the set's own
-  for (Eigen::Index k = 0; k < n; ++k) shared.col(k) = choices.products(set.orbits[k]);
-  const Eigen::VectorXd slope = choices.slope() - shared * set.tensions;
+  Eigen::MatrixXd shared(orbits.size(), n);  // products with the set's own
+  for (Eigen::Index k = 0; k < n; ++k) shared.col(k) = orbits.products(set.orbits[k]);
+  const Eigen::VectorXd slope = orbits.slope() - shared * set.tensions;
   const Eigen::MatrixXd own = shared(set.orbits, Eigen::all);
-  Eigen::MatrixXd on_own(n, choices.size());  // coefficients in the set's own
-  Eigen::VectorXd free = choices.squares();
+  Eigen::MatrixXd on_own(n, orbits.size());  // coefficients in the set's own
+  Eigen::VectorXd free = orbits.squares();
   if (n > 0) {
     on_own = own.ldlt().solve(shared.transpose());
     free -= shared.cwiseProduct(on_own.transpose()).rowwise().sum();
   }
   constexpr double independent = 1e-8;
   const auto first = grown.size();
-  for (int j = 0; j < choices.size(); ++j) {
-    const int cables = set.cables + static_cast<int>(choices.pulls(j).size());
-    if (!(slope[j] > 0) || cables > most || !(free[j] > independent * choices.squares()[j]))
+  for (int j = 0; j < orbits.size(); ++j) {
+    const int cables = set.cables + static_cast<int>(orbits.pulls(j).size());
+    if (!(slope[j] > 0) || cables > most || !(free[j] > independent * orbits.squares()[j]))
       continue;
     const double tension = slope[j] / free[j];
     Set next{.tensions = Eigen::VectorXd::Constant(n + 1, tension),
@@ -122,17 +131,25 @@ void grow(const Set& set, Choices& choices, int most, std::vector<Set>& grown) {
   }
 }
 
-std::vector<Set> best_of(std::vector<Set> grown, const Choices& choices,
+std::vector<Set> best_of(std::vector<Set> grown, const Orbits& orbits,
                          const equilibrium::System& system) {
   std::ranges::sort(grown, {}, [](const Set& set) { return std::pair(set.rest, set.orbits); });
   std::set<Signature> seen;
   std::vector<Set> best;
   for (Set& set : grown) {
-    if (!seen.insert(signature_of(set, choices, system)).second) continue;
+    if (!seen.insert(signature_of(set, orbits, system)).second) continue;
     best.push_back(std::move(set));
     if (best.size() == beam_width) break;
   }
   return best;
+}
+
+Network network_of(const Set& set, const Orbits& orbits, Network network) {
+  for (std::size_t i = 0; i < set.orbits.size(); ++i)
+    for (const Pull& pull : orbits.pulls(set.orbits[i]))
+      network.structure.cables.push_back(
+          cable_of(pull, set.tensions[static_cast<Eigen::Index>(i)], rho));
+  return network;
 }
 
 }  // namespace
@@ -142,27 +159,23 @@ std::vector<Network> select_few(const Network& bare, const sensitivity::Target& 
                                 const symmetry::Group& symmetry, int most, const Control& control,
                                 Effort& effort) {
   const equilibrium::System system(bare.structure);
-  auto pulls = pulls_at(system, bare.state, candidates, &symmetry);
+  auto pulls = some_of(pulls_at(system, bare.state, candidates, &symmetry));
   auto moved = displacements(system, bare.state, pulls);
-  Choices choices(std::move(pulls), std::move(moved));
+  Orbits orbits(std::move(pulls), std::move(moved));
   equilibrium::Linearisation at;
   struct Found {
     double percent = std::numeric_limits<double>::infinity();
     Network network{};
   };
   std::map<int, Found> closest;  // by number of cables
-  std::vector<Set> beam{{.rest = choices.goal()}};
+  std::vector<Set> beam{{.rest = orbits.goal()}};
   for (int round = 0; round < rounds && !beam.empty() && !control.stop.stop_requested(); ++round) {
     std::vector<Set> grown;
-    for (const Set& set : beam) grow(set, choices, most, grown);
-    beam = best_of(std::move(grown), choices, system);
+    for (const Set& set : beam) grow(set, orbits, most, grown);
+    beam = best_of(std::move(grown), orbits, system);
     int tried = 0;
     for (std::size_t k = 0; k < beam.size() && tried < solved_each; ++k) {
-      Network network = bare;
-      for (std::size_t i = 0; i < beam[k].orbits.size(); ++i)
-        for (const Pull& pull : choices.pulls(beam[k].orbits[i]))
-          network.structure.cables.push_back(
-              cable_of(pull, beam[k].tensions[static_cast<Eigen::Index>(i)], rho));
+      Network network = network_of(beam[k], orbits, bare);
       // Where a set is not stable at the target, it is not near it.
       const equilibrium::System with(network.structure);
       equilibrium::linearise(with, network.state, at);
