@@ -5,7 +5,9 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <tencer/equilibrium/rigid_modes.hpp>
 #include <tencer/io/file.hpp>
+#include <tencer/pipeline/convert.hpp>
 #include <tencer/pipeline/design.hpp>
 #include <tencer/pipeline/prepare.hpp>
 #include <tencer/pipeline/resolution.hpp>
@@ -106,6 +108,14 @@ std::optional<core::Error> apply(const DesignRequest& request, io::DesignSetting
   return std::nullopt;
 }
 
+// Of rods, free to move against each other.
+int free_groups(const io::Design& design) {
+  const pipeline::Units units = pipeline::units_of(design);
+  const auto structure = pipeline::structure_of(design, pipeline::Cables::inextensible, units);
+  return equilibrium::free_groups(equilibrium::rigid_modes(
+      equilibrium::System(structure), pipeline::pose_state(design, structure, units)));
+}
+
 // Why a design that ran to its end is not complete.
 std::string shortfall(const io::Design& design, const io::DesignSettings& settings) {
   std::ostringstream text;
@@ -115,6 +125,8 @@ std::string shortfall(const io::Design& design, const io::DesignSettings& settin
   if (!settings.cables && design.error->max_percent > settings.max_error)
     text << " the max error is above the " << settings.max_error << " % asked for;";
   if (!design.certificate->stable) text << " it does not stand;";
+  if (const int groups = free_groups(design); groups > 1)
+    text << " nothing ties its " << groups << " groups of rods to each other;";
   if (!design.certificate->settles_from_target.value_or(true))
     text << " let go at the target it comes to rest elsewhere;";
   text << " design.json says so\n";

@@ -76,6 +76,13 @@ expect_contains("${out}" "the rods rest in this shape by themselves")
 file(READ ${WORK}/straight/design.json design)
 expect_contains("${design}" "\"cables\": []")
 
+# Two need nothing either, and are not one thing.
+file(WRITE ${WORK}/two.obj
+  "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 3 1 0\nl 1 2 3 4\nl 5 6 7 8\n")
+run_tencer(design two.obj -o two --quiet)
+expect_status(3)
+expect_contains("${out}" "nothing ties its 2 groups of rods to each other")
+
 # A run that fails leaves the design that is there: with bad input, and when one of the files cannot
 # be written.
 file(REMOVE ${WORK}/first/picture.svg)
