@@ -46,8 +46,8 @@ Row failed(const Run& run, const ChildEnd& end, const fs::path& log, double limi
   Row row{.run = run, .status = "failed", .seconds = end.seconds};
   if (end.timed_out)
     row.message = "no design within the time limit of " + short_text(limit) + " s";
-  else if (end.signal != 0)
-    row.message = std::string("ended by a signal: ") + strsignal(end.signal);
+  else if (const char* signal = sigdescr_np(end.signal); end.signal != 0)
+    row.message = "ended by a signal: " + (signal ? signal : std::to_string(end.signal));
   else
     row.message = complaint(log);
   if (row.message.empty()) row.message = "exit code " + std::to_string(end.exit_code);

@@ -290,7 +290,7 @@ void Newton::run(State start) {
 
 }  // namespace
 
-Eigen::MatrixXd Linearisation::solve(Eigen::MatrixXd b) const {
+Eigen::MatrixXd Linearisation::solve(const Eigen::MatrixXd& b) const {
   Eigen::MatrixXd x = factor.solve(b);
   for (int k = 0; k < x.cols(); ++k) remove_rigid(rigid, x.col(k));
   return x;

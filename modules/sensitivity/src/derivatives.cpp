@@ -8,7 +8,7 @@ namespace {
 Eigen::MatrixXd solve(const Configuration& at, Eigen::MatrixXd b) {
   for (Eigen::Index k = 0; k < b.cols(); ++k)
     equilibrium::remove_rigid(at.linearisation.rigid, b.col(k));
-  return at.linearisation.solve(std::move(b));
+  return at.linearisation.solve(b);
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ std::vector<Offer> best_offers(const Walker& walker, const Task& task,
       for_each_unknown(system, pull, [&](int i, double weight) { forces(i, k) -= weight; });
     equilibrium::remove_rigid(at.linearisation.rigid, forces.col(k));
   }
-  const Eigen::MatrixXd rates = distance.residual_rates(at.linearisation.solve(std::move(forces)));
+  const Eigen::MatrixXd rates = distance.residual_rates(at.linearisation.solve(forces));
   std::vector<double> tensions(pulls.size(), 0.0);
   for (Eigen::Index k = 0; k < rates.cols(); ++k) {
     const auto [gain, tension] = plan.gain(rates.col(k));

@@ -37,9 +37,9 @@ void Pool::add(Choice choice) {
   keep_closest(std::move(choice), closest_);
 }
 
-void Pool::add(Pool other) {
-  for (auto& [cables, choice] : other.settling_) keep_closest(std::move(choice), settling_);
-  for (auto& [cables, choice] : other.closest_) keep_closest(std::move(choice), closest_);
+void Pool::add(const Pool& other) {
+  for (const auto& [cables, choice] : other.settling_) keep_closest(choice, settling_);
+  for (const auto& [cables, choice] : other.closest_) keep_closest(choice, closest_);
 }
 
 const Choice* Pool::answer(const ThinOptions& options) const {

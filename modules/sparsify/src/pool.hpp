@@ -11,7 +11,7 @@ namespace tencer::sparsify {
 class Pool {
  public:
   void add(Choice choice);
-  void add(Pool other);
+  void add(const Pool& other);
 
   // What is asked for, or what comes nearest to it; null when there is nothing. One that settles
   // from the target comes before all that do not: if it is within the error asked for, or with a

@@ -30,14 +30,14 @@ constexpr int temper_count = std::size(tempers);
 
 // Whether the walker's network as it is built, with inextensible cables, comes to rest where it is
 // when it is let go at the target.
-bool settles(const Walker& walker, const sensitivity::Target& target) {
+bool settles(const Walker& walker, const sensitivity::Target& target, std::stop_token stop) {
   constexpr double same_percent = 0.01;
   Network built = walker.network();
   const Eigen::VectorXd lengths = cable_lengths(built);
   for (Eigen::Index c = 0; c < lengths.size(); ++c)
     built.structure.cables[c].rest_length = lengths[c];
-  const auto form =
-      equilibrium::settle(built.structure, equilibrium::make_state(built.structure, target.points));
+  const auto form = equilibrium::settle(
+      built.structure, equilibrium::make_state(built.structure, target.points), {.stop = stop});
   if (!form.equilibrium.usable()) return false;
   sensitivity::Target pose = target;
   for (std::size_t r = 0; r < pose.points.size(); ++r) pose.points[r] = built.state[r].x;
@@ -106,7 +106,7 @@ void Thinning::add_fitted(const Network& network, const Task& task, Pool& pool) 
                   .max_percent = walker.deviation().max_percent,
                   .rms_percent = walker.deviation().rms_percent,
                   .smallest_eigenvalue = walker.softest(),
-                  .settles = settles(walker, task.target)};
+                  .settles = settles(walker, task.target, control_.stop)};
     const bool enough = choice.settles || control_.stop.stop_requested();
     pool.add(std::move(choice));
     if (enough) break;
@@ -132,7 +132,7 @@ Pool Thinning::choose(const std::vector<Network>& path, const Task& task) {
     const Choice* choice = fitted.answer(options_);
     const bool enough = choice && !options_.every_number &&
                         (options_.cables > 0 || choice->max_percent <= options_.max_percent);
-    pool.add(std::move(fitted));
+    pool.add(fitted);
     if (enough) break;
   }
   return pool;
@@ -164,7 +164,7 @@ Pool Thinning::descend_from(std::span<const Start> starts) {
     pools[i] = choose(path, task_);
   });
   Pool all;
-  for (auto& pool : pools) all.add(std::move(pool));
+  for (const auto& pool : pools) all.add(pool);
   return all;
 }
 
@@ -211,7 +211,7 @@ void Thinning::vary(std::span<Pool> islands, int round) {
     pools[k] = varied(*found[inhabited[k % count]], (k + round) % temper_count,
                       (k + temper_count * round) / count - 1);
   });
-  for (int k = 0; k < temper_count; ++k) islands[inhabited[k % count]].add(std::move(pools[k]));
+  for (int k = 0; k < temper_count; ++k) islands[inhabited[k % count]].add(pools[k]);
 }
 
 void Thinning::improve(std::span<Pool> islands, int patience, const std::function<void()>& record) {

@@ -24,7 +24,7 @@ struct Linearisation {
 
   // H^+ b for b without rigid part (the gradient of anything that rigid motion leaves alone); the
   // result has no rigid part either. b: size x k.
-  Eigen::MatrixXd solve(Eigen::MatrixXd b) const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
 };
 
 // Factorises the Hessian at `state` into `at`.
