@@ -39,8 +39,8 @@ double percent_of(const ThinOptions& options, double part) {
   return part * std::clamp(options.max_percent, 1e-2, 1.0);
 }
 
-// Networks that balance the forces to parts of the distance that is accepted, all of it convex, and
-// how many descents each is worth. The first row and network of `result` are of the first that
+// Networks that balance the forces to parts of the distance that is accepted, and how many descents
+// each is worth. The first row and network of `result` are of the first that
 // holds; failing all, of the first.
 std::vector<Start> balanced(const Network& bare, const Problem& problem,
                             const symmetry::Group* symmetry, const ThinOptions& options,
@@ -142,7 +142,7 @@ Found search_on(const Problem& problem, const equilibrium::State& at_target,
 // Networks found on fewer vertices brought to the rods as they are, until one answers what is
 // asked, and a few more: not every network that stands settles from the target.
 void carry_over(const std::vector<Choice>& coarse, const equilibrium::Structure& bare,
-                const Task& task, const ThinOptions& options, Thinning& thinning, Pool& pool) {
+                const ThinOptions& options, Thinning& thinning, Pool& pool) {
   constexpr double fits_closer = 1.2;  // after the last fit, perhaps
   const auto wanted = [&](const Choice& choice) {
     if (options.every_number) return true;
@@ -162,7 +162,7 @@ void carry_over(const std::vector<Choice>& coarse, const equilibrium::Structure&
   int spare = 0;
   for (const Choice* choice : order) {
     if (enough() && spare++ == more) return;
-    thinning.add_fitted(carried(choice->network, bare), task, pool);
+    thinning.add_fitted(carried(choice->network, bare), pool);
   }
 }
 
@@ -200,7 +200,7 @@ ThinResult search(const Network& bare, const sensitivity::Target& target, const 
                     .least_eigenvalue = found.least_eigenvalue,
                     .groups = found.groups};
     Thinning thinning(task, candidates, options, control, clock);
-    carry_over(found.pool.best(), bare.structure, task, options, thinning, pool);
+    carry_over(found.pool.best(), bare.structure, options, thinning, pool);
     const auto record = [&] {
       result.network = pool.answer(options)->network;
       clock.count(thinning.take_effort());

@@ -30,7 +30,7 @@ constexpr int temper_count = std::size(tempers);
 
 // Whether the walker's network as it is built, with inextensible cables, comes to rest where it is
 // when it is let go at the target.
-bool settles(const Walker& walker, const sensitivity::Target& target, std::stop_token stop) {
+bool settles(const Walker& walker, const sensitivity::Target& target, const std::stop_token& stop) {
   constexpr double same_percent = 0.01;
   Network built = walker.network();
   const Eigen::VectorXd lengths = cable_lengths(built);
@@ -93,20 +93,20 @@ DescentOptions Thinning::descent(int temper, double percent) {
           .progress = [this](const Walker& at) { report(at); }};
 }
 
-void Thinning::add_fitted(const Network& network, const Task& task, Pool& pool) {
+void Thinning::add_fitted(const Network& network, Pool& pool) {
   // What is found counts even if the search was stopped meanwhile.
   Control unstopped = control_;
   unstopped.stop = {};
-  Walker walker(network, task, {}, unstopped);
+  Walker walker(network, task_, {}, unstopped);
   // What does not settle from the target may once it resists its softest motions more.
   for (const double softness : {1e-2, 0.5}) {
     if (!walker.usable()) break;
-    if (!control_.stop.stop_requested()) fit(walker, task.target, options_.measure, softness);
+    if (!control_.stop.stop_requested()) fit(walker, task_.target, options_.measure, softness);
     Choice choice{.network = walker.network(),
                   .max_percent = walker.deviation().max_percent,
                   .rms_percent = walker.deviation().rms_percent,
                   .smallest_eigenvalue = walker.softest(),
-                  .settles = settles(walker, task.target, control_.stop)};
+                  .settles = settles(walker, task_.target, control_.stop)};
     const bool enough = choice.settles || control_.stop.stop_requested();
     pool.add(std::move(choice));
     if (enough) break;
@@ -116,7 +116,7 @@ void Thinning::add_fitted(const Network& network, const Task& task, Pool& pool) 
 
 // Fits the networks of a descent that may be the answer: all of them, the first with few enough
 // cables, or from the last back until one is close enough.
-Pool Thinning::choose(const std::vector<Network>& path, const Task& task) {
+Pool Thinning::choose(const std::vector<Network>& path) {
   Pool pool;
   for (auto network = path.rbegin(); network != path.rend(); ++network) {
     if (options_.cables > 0 && !options_.every_number) {
@@ -128,7 +128,7 @@ Pool Thinning::choose(const std::vector<Network>& path, const Task& task) {
         continue;
     }
     Pool fitted;
-    add_fitted(*network, task, fitted);
+    add_fitted(*network, fitted);
     const Choice* choice = fitted.answer(options_);
     const bool enough = choice && !options_.every_number &&
                         (options_.cables > 0 || choice->max_percent <= options_.max_percent);
@@ -161,7 +161,7 @@ Pool Thinning::descend_from(std::span<const Start> starts) {
     if (!walker.usable()) return;
     const auto path = descend(walker, descent(temper, percent));
     count(walker);
-    pools[i] = choose(path, task_);
+    pools[i] = choose(path);
   });
   Pool all;
   for (const auto& pool : pools) all.add(pool);
@@ -183,7 +183,7 @@ Pool Thinning::varied(const Choice& choice, int temper, int offer) {
         in = walker.restart(with_offer(choice.network, offers[offer], part));
     if (in) {
       walker.refit(4);
-      pool = choose(descend(walker, descent(temper, percent)), task_);
+      pool = choose(descend(walker, descent(temper, percent)));
     }
   }
   count(walker);

@@ -39,7 +39,7 @@ class Thinning {
 
   // The network fitted as closely as it goes, or as it is when there is no time left; adds nothing
   // when there is no stable equilibrium near it.
-  void add_fitted(const Network& network, const Task& task, Pool& pool);
+  void add_fitted(const Network& network, Pool& pool);
 
   // What was done since the last call.
   Effort take_effort();
@@ -51,7 +51,7 @@ class Thinning {
 
   std::vector<const Choice*> bests(std::span<const Pool> islands) const;
   DescentOptions descent(int temper, double percent);
-  Pool choose(const std::vector<Network>& path, const Task& task);
+  Pool choose(const std::vector<Network>& path);
   // offer: which of the best cables goes in; -1: none.
   Pool varied(const Choice& choice, int temper, int offer);
   void count(const Walker& walker);
