@@ -176,11 +176,13 @@ Pool Thinning::varied(const Choice& choice, int temper, int offer) {
                 control_);
   Pool pool;
   if (walker.usable()) {
-    const auto offers = best_offers(walker, task_, candidates_, std::max(offer, 0) + 1);
     bool in = offer < 0;
-    if (!in && static_cast<int>(offers.size()) > offer)
-      for (double part = 1; part > 0.05 && !in; part /= 4)
-        in = walker.restart(with_offer(choice.network, offers[offer], part));
+    if (!in) {
+      const auto offers = best_offers(walker, task_, candidates_, offer + 1);
+      if (static_cast<int>(offers.size()) > offer)
+        for (double part = 1; part > 0.05 && !in; part /= 4)
+          in = walker.restart(with_offer(choice.network, offers[offer], part));
+    }
     if (in) {
       walker.refit(4);
       pool = choose(descend(walker, descent(temper, percent)));
