@@ -249,6 +249,9 @@ TEST_CASE("predicted forces spare a solve that starts from a predicted shape ite
   CHECK(with.iterations < without.iterations);
   CHECK(with.energy == Approx(without.energy).epsilon(1e-12));
   CHECK_THROWS_AS(solve(stronger, start, {.forces = InternalForces{}}), std::invalid_argument);
+  InternalForces short_of_an_edge = predicted_forces(stronger, first.state, step);
+  short_of_an_edge.axial[0].conservativeResize(47);
+  CHECK_THROWS_AS(solve(stronger, start, {.forces = short_of_an_edge}), std::invalid_argument);
 }
 
 TEST_CASE("an equilibrium that some motion leaves at no cost is not called stable") {

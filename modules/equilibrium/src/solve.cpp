@@ -288,6 +288,12 @@ void Newton::run(State start) {
   }
 }
 
+bool fits(const InternalForces& forces, const Structure& structure) {
+  return std::ranges::equal(forces.axial, structure.rods, {}, &Eigen::VectorXd::size,
+                            &der::Rod::edges) &&
+         forces.tension.size() == static_cast<Eigen::Index>(structure.cables.size());
+}
+
 }  // namespace
 
 Eigen::MatrixXd Linearisation::solve(const Eigen::MatrixXd& b) const {
@@ -304,11 +310,8 @@ void linearise(const System& system, const State& state, Linearisation& at) {
 
 Equilibrium solve(const System& system, State start, const SolveOptions& options,
                   Linearisation& workspace) {
-  core::require(
-      !options.forces || (options.forces->axial.size() == system.structure().rods.size() &&
-                          options.forces->tension.size() ==
-                              static_cast<Eigen::Index>(system.structure().cables.size())),
-      "SolveOptions::forces: needs those of every rod and cable");
+  core::require(!options.forces || fits(*options.forces, system.structure()),
+                "SolveOptions::forces: needs those of every edge and cable");
   Equilibrium result;
   Newton(system, options, workspace, result).run(std::move(start));
   return result;
