@@ -7,9 +7,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <string_view>
 
 namespace {
@@ -25,7 +27,10 @@ bool fault(bool once = false) {
   static int calls = 0;
   const char* at = std::getenv("TENCER_FAULT_AT");
   const char* kind = std::getenv("TENCER_FAULT");
-  if (!at || !kind || ++calls < std::atoi(at) || (once && calls > std::atoi(at))) return false;
+  if (!at || !kind) return false;
+  int chosen = 0;
+  if (std::from_chars(at, at + std::strlen(at), chosen).ec != std::errc()) std::abort();
+  if (++calls < chosen || (once && calls > chosen)) return false;
   if (std::string_view(kind) == "kill") std::raise(SIGKILL);
   errno = ENOSPC;
   return true;
