@@ -22,6 +22,20 @@ function(expect_contains text part)
   endif()
 endfunction()
 
+# The lines after the header of a table in WORK, at least so many.
+function(read_table path header fewest result)
+  file(STRINGS ${WORK}/${path} lines)
+  list(POP_FRONT lines found)
+  if(NOT found STREQUAL header)
+    message(SEND_ERROR "header of ${path}: ${found}")
+  endif()
+  list(LENGTH lines count)
+  if(count LESS fewest)
+    message(SEND_ERROR "only ${count} lines in ${path}: ${lines}")
+  endif()
+  set(${result} "${lines}" PARENT_SCOPE)
+endfunction()
+
 # What a file of a design holds, but for the seconds that were measured.
 function(read_but_seconds path result)
   file(READ ${path} text)

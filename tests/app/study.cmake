@@ -116,15 +116,7 @@ expect_contains("${lines}" "time limit of 2 s")
 # The solver against closed forms.
 run_tencer(study --closed-forms -o forms --quiet)
 expect_status(0)
-file(STRINGS ${WORK}/forms/closed-forms.csv lines)
-list(POP_FRONT lines header)
-if(NOT header STREQUAL "problem,edges,seconds,relative_error")
-  message(SEND_ERROR "header of closed-forms.csv: ${header}")
-endif()
-list(LENGTH lines count)
-if(count LESS 30)
-  message(SEND_ERROR "only ${count} lines of closed forms")
-endif()
+read_table(forms/closed-forms.csv "problem,edges,seconds,relative_error" 30 lines)
 
 # Mistakes.
 refused("SCENES: " "--closed-forms" study -o none)

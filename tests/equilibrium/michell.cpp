@@ -5,6 +5,9 @@
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/equilibrium/stability.hpp>
 
+#include "models.hpp"
+#include "second_order.hpp"
+
 using namespace tencer;
 using std::numbers::pi;
 
@@ -34,17 +37,12 @@ equilibrium::Structure twisted_ring(int n, double angle) {
                     .closing_angle = angle}}};
 }
 
-Eigen::Matrix3Xd circle(int n) {
-  Eigen::Matrix3Xd x(3, n);
-  for (int i = 0; i < n; ++i) x.col(i) << std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0;
-  return x * (pi / n) / std::sin(pi / n);
-}
-
 double ring_eigenvalue(int n, double angle) {
   auto structure = twisted_ring(n, angle);
   structure.planar = true;  // the flat ring, in balance also when unstable in space
   const equilibrium::System flat(structure);
-  const auto state = equilibrium::solve(flat, equilibrium::make_state(structure, {circle(n)}));
+  const auto state =
+      equilibrium::solve(flat, equilibrium::make_state(structure, {models::polygon(n, 2 * pi)}));
   REQUIRE(state.usable());
   const auto stability =
       equilibrium::stability(equilibrium::System(twisted_ring(n, angle)), state.state);
@@ -89,14 +87,11 @@ double rod_eigenvalue(int n, double angle) {
 }  // namespace
 
 TEST_CASE("a ring leaves its plane at Michell's closing angle") {
-  const auto critical = [](int n) {
-    return critical_angle(0.9 * michell, 1.2 * michell,
-                          [&](double angle) { return ring_eigenvalue(n, angle); });
+  const auto error = [](int n) {
+    const auto smallest = [&](double angle) { return ring_eigenvalue(n, angle); };
+    return critical_angle(0.9 * michell, 1.2 * michell, smallest) / michell - 1;
   };
-  const double coarse = critical(30) / michell - 1;
-  const double fine = critical(60) / michell - 1;
-  CHECK(std::abs(fine) < 0.02);
-  CHECK(coarse / fine == Approx(4.0).epsilon(0.1));
+  check_second_order(error, 30, 0.02);
 }
 
 TEST_CASE("past Michell's angle a ring writhes until two turns of twist are gone") {
@@ -104,7 +99,7 @@ TEST_CASE("past Michell's angle a ring writhes until two turns of twist are gone
   const auto settle = [&](double angle, double bump) {
     const auto structure = twisted_ring(n, angle);
     const equilibrium::System system(structure);
-    Eigen::Matrix3Xd x = circle(n);
+    Eigen::Matrix3Xd x = models::polygon(n, 2 * pi);
     for (int i = 0; i < n; ++i) x(2, i) += bump * std::cos(4 * pi * i / n);
     auto result = equilibrium::solve(system, equilibrium::make_state(structure, {x}));
     REQUIRE(result.usable());
@@ -124,12 +119,9 @@ TEST_CASE("past Michell's angle a ring writhes until two turns of twist are gone
 TEST_CASE("a straight rod between clamps buckles at Greenhill's angle") {
   // Greenhill 1883, built-in ends without thrust: GJ angle / L = 2 x 4.4934 EI / L, tan x = x.
   const double greenhill = 2 * 4.493409457909064 * EI / GJ;
-  const auto critical = [&](int n) {
-    return critical_angle(0.5 * greenhill, 2 * greenhill,
-                          [&](double angle) { return rod_eigenvalue(n, angle); });
+  const auto error = [&](int n) {
+    const auto smallest = [&](double angle) { return rod_eigenvalue(n, angle); };
+    return critical_angle(0.5 * greenhill, 2 * greenhill, smallest) / greenhill - 1;
   };
-  const double coarse = critical(20) / greenhill - 1;
-  const double fine = critical(40) / greenhill - 1;
-  CHECK(std::abs(fine) < 0.006);
-  CHECK(coarse / fine == Approx(4.0).epsilon(0.1));
+  check_second_order(error, 20, 0.006);
 }

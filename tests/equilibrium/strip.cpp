@@ -7,16 +7,12 @@
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/equilibrium/stability.hpp>
 
+#include "models.hpp"
+
 using namespace tencer;
 using std::numbers::pi;
 
 namespace {
-
-Eigen::Matrix3Xd circle(int n) {
-  Eigen::Matrix3Xd x(3, n);
-  for (int i = 0; i < n; ++i) x.col(i) << std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0;
-  return x * (pi / n) / std::sin(pi / n);
-}
 
 equilibrium::Structure strip(int n) {
   return {.rods = {{.closed = true,
@@ -30,7 +26,7 @@ TEST_CASE("a strip closed to a ring turns to bend about its weak axis") {
   const int n = 40;
   auto structure = strip(n);
   if (GENERATE(false, true)) structure.rods[0].closing_angle = 0.0;
-  auto start = equilibrium::make_state(structure, {circle(n)});
+  auto start = equilibrium::make_state(structure, {models::polygon(n, 2 * pi)});
   // Far from the weak axis (m1 in the plane), and unevenly so.
   for (int j = 0; j < n; ++j) {
     const Eigen::Vector3d t = start[0].frames.tangent.col(j);
@@ -47,7 +43,8 @@ TEST_CASE("a strip closed to a ring turns to bend about its weak axis") {
   auto isotropic = structure;
   isotropic.rods[0].section.EI1 = isotropic.rods[0].section.EI2;
   const equilibrium::System plain(isotropic);
-  const auto ring = equilibrium::solve(plain, equilibrium::make_state(isotropic, {circle(n)}));
+  const auto ring =
+      equilibrium::solve(plain, equilibrium::make_state(isotropic, {models::polygon(n, 2 * pi)}));
   CHECK(result.energy == Approx(ring.energy).epsilon(1e-10));
 }
 

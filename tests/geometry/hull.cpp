@@ -1,20 +1,11 @@
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <tencer/geometry/hull.hpp>
 
-#include <cmath>
+#include "cube.hpp"
 
+using namespace tencer;
 using namespace tencer::geometry;
-
-namespace {
-
-Eigen::Matrix3Xd cube(double half) {
-  Eigen::Matrix3Xd corners(3, 8);
-  for (int i = 0; i < 8; ++i)
-    corners.col(i) << (i & 1 ? half : -half), (i & 2 ? half : -half), (i & 4 ? half : -half);
-  return corners;
-}
-
-}  // namespace
 
 TEST_CASE("a cube holds what is within it and says how far out the rest is") {
   Eigen::Matrix3Xd points(3, 3);

@@ -1,12 +1,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 #include <tencer/geometry/curves.hpp>
 #include <tencer/geometry/spline.hpp>
 
 using namespace tencer::geometry;
 using Eigen::Vector3d;
-using std::numbers::pi;
 
 namespace {
 

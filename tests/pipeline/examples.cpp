@@ -2,7 +2,6 @@
 #include <filesystem>
 #include <tencer/geometry/measure.hpp>
 #include <tencer/io/file.hpp>
-#include <tencer/pipeline/prepare.hpp>
 
 #include "scenes.hpp"
 
@@ -20,11 +19,7 @@ std::vector<std::filesystem::path> example_scenes() {
   return scenes;
 }
 
-io::Scene example(const std::string& name) {
-  auto scene = io::read_scene(examples / name);
-  if (!scene) FAIL(scene.error().text());
-  return *std::move(scene);
-}
+io::Scene example(const std::string& name) { return scene_at(examples / name); }
 
 }  // namespace
 
@@ -33,14 +28,11 @@ TEST_CASE("every example can be read and prepared") {
   REQUIRE(scenes.size() >= 27);
   for (const auto& path : scenes) {
     CAPTURE(path);
-    const auto scene = io::read_scene(path);
-    if (!scene) FAIL(scene.error().text());
-    const auto prepared = pipeline::prepare(*scene);
-    if (!prepared) FAIL(prepared.error().text());
-    CHECK(prepared->structure.rods.size() == scene->rods.size());
+    const io::Scene scene = scene_at(path);
+    CHECK(prepared_of(scene).structure.rods.size() == scene.rods.size());
 
     std::vector<geometry::Polyline> targets;
-    for (const auto& rod : scene->rods) targets.push_back(rod.target);
+    for (const auto& rod : scene.rods) targets.push_back(rod.target);
     CHECK(geometry::closest_approach(targets)->distance >
           0.001 * geometry::bounding_box_diagonal(targets));
 

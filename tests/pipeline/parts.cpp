@@ -10,12 +10,6 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-pipeline::Prepared prepared_of(const io::Scene& scene) {
-  auto prepared = pipeline::prepare(scene);
-  if (!prepared) FAIL(prepared.error().text());
-  return *std::move(prepared);
-}
-
 pipeline::Part part(const pipeline::Prepared& prepared, const std::string& name) {
   for (const auto& part : prepared.parts)
     if (part.name == name) return part;

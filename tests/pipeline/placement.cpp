@@ -5,7 +5,6 @@
 #include <functional>
 #include <numbers>
 #include <tencer/geometry/measure.hpp>
-#include <tencer/pipeline/prepare.hpp>
 #include <tencer/pipeline/simulate.hpp>
 #include <tencer/sparsify/balance.hpp>
 
@@ -118,13 +117,12 @@ struct Balanced {
 };
 
 Balanced balanced(const io::Scene& scene) {
-  const auto prepared = pipeline::prepare(scene);
-  REQUIRE(prepared);
+  const auto prepared = prepared_of(scene);
   const auto candidates =
-      sparsify::candidates(prepared->structure, prepared->target.points, prepared->rules);
+      sparsify::candidates(prepared.structure, prepared.target.points, prepared.rules);
   REQUIRE(candidates);
-  const double size = size_of(prepared->target.points);
-  const auto stage = sparsify::balance({prepared->structure, prepared->start}, prepared->target,
+  const double size = size_of(prepared.target.points);
+  const auto stage = sparsify::balance({prepared.structure, prepared.start}, prepared.target,
                                        *candidates, nullptr, {.percent = 0.03 / size});
   REQUIRE(stage.sound);
   Balanced result{.max_distance = stage.trace.back().max_percent / 100 * size};

@@ -102,12 +102,11 @@ TEST_CASE("a rod bent at rest is bent as much at another resolution") {
   scene.rods[0].rest.curvature = 0.02;
   scene.rods[1].rest.curve = scene.rods[1].target;
   for (double times : {0.5, 2.0}) {
-    const auto prepared = pipeline::prepare(pipeline::at_resolution(scene, times));
-    REQUIRE(prepared);
-    CHECK(prepared->file.rods[0].rest_curvature.row(0).sum() ==
+    const auto prepared = prepared_of(pipeline::at_resolution(scene, times));
+    CHECK(prepared.file.rods[0].rest_curvature.row(0).sum() ==
           Approx(0.02 * length(scene.rods[0])).epsilon(0.01));
     // The arch's turn between its ends.
-    CHECK(prepared->file.rods[1].rest_curvature.colwise().norm().sum() ==
+    CHECK(prepared.file.rods[1].rest_curvature.colwise().norm().sum() ==
           Approx(2 * std::atan(5 * pi / 20)).epsilon(0.05));
   }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <tencer/geometry/arc_length.hpp>
@@ -12,6 +13,7 @@
 #include <tencer/io/design.hpp>
 #include <tencer/io/scene.hpp>
 #include <tencer/pipeline/design.hpp>
+#include <tencer/pipeline/prepare.hpp>
 #include <vector>
 
 namespace tencer {
@@ -25,6 +27,12 @@ inline io::Scene scene_of(std::vector<geometry::Polyline> curves) {
   return *std::move(scene);
 }
 
+inline io::Scene scene_at(const std::filesystem::path& path) {
+  auto scene = io::read_scene(path);
+  if (!scene) FAIL(scene.error().text());
+  return *std::move(scene);
+}
+
 inline io::Scene trefoil_scene(int vertices = 40) {
   return scene_of({geometry::trefoil(geometry::TrefoilForm::hypotrochoid, 198, vertices)});
 }
@@ -32,6 +40,12 @@ inline io::Scene trefoil_scene(int vertices = 40) {
 // Held in shape by one or two cables: the smallest design there is.
 inline io::Scene ellipse_scene(int vertices = 30) {
   return scene_of({geometry::ellipse(32.5, 25, vertices)});
+}
+
+inline pipeline::Prepared prepared_of(const io::Scene& scene) {
+  auto prepared = pipeline::prepare(scene);
+  if (!prepared) FAIL(prepared.error().text());
+  return *std::move(prepared);
 }
 
 inline io::Design designed(const io::Scene& scene, const pipeline::DesignOptions& options = {}) {

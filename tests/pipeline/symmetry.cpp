@@ -14,14 +14,8 @@ namespace {
 
 const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
 
-pipeline::Prepared prepared(const io::Scene& scene) {
-  auto result = pipeline::prepare(scene);
-  if (!result) FAIL(result.error().text());
-  return *std::move(result);
-}
-
 int order(const io::Scene& scene) {
-  const auto ready = prepared(scene);
+  const auto ready = prepared_of(scene);
   return ready.symmetry ? ready.symmetry->order() : 1;
 }
 
@@ -41,7 +35,7 @@ std::string given_error(io::Scene scene, io::SymmetryGenerator generator) {
 
 // Whether the design's cables are mapped onto each other, and orbits have the same tension.
 void check_symmetric(const io::Scene& scene, const io::Design& design) {
-  const auto ready = prepared(scene);
+  const auto ready = prepared_of(scene);
   const auto& group = ready.symmetry;
   REQUIRE(group);
   const double length = ready.units.scale.length;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../geometry/cube.hpp"
 #include "figures.hpp"
 
 namespace tencer::symmetry {
@@ -44,13 +45,6 @@ geometry::Polyline straight(const Eigen::Vector3d& from, const Eigen::Vector3d& 
   geometry::Polyline line{Eigen::Matrix3Xd(3, vertices), false};
   for (int i = 0; i < vertices; ++i) line.points.col(i) = from + (to - from) * i / (vertices - 1.0);
   return line;
-}
-
-Eigen::Matrix3Xd cube(double half) {
-  Eigen::Matrix3Xd corners(3, 8);
-  for (int i = 0; i < 8; ++i)
-    corners.col(i) << (i & 1 ? half : -half), (i & 2 ? half : -half), (i & 4 ? half : -half);
-  return corners;
 }
 
 }  // namespace
