@@ -78,7 +78,6 @@ TEST_CASE("equilibrium and certificate are the same after") {
     const Posed a = disturbed();
     const Rest rest = at_rest(a);
     // What is done to the start is done to the result by the same numbers.
-    Posed tagged = a;
     const auto order = order_of_rods(a);
     const Posed b = listed(reversed(a), order);
     Rest same = rest;
