@@ -25,22 +25,24 @@ TEST_CASE("a stop before the start") {
 }
 
 TEST_CASE("a stop in each stage") {
-  using Case = std::pair<std::string, std::string>;
-  for (const auto& [method, stage] :
-       {Case{"force-balance", "thin"}, Case{"dense-springs", "prune"},
-        Case{"dense-springs", "greedy"}, Case{"dense-springs", "sparsify"},
-        Case{"dense-springs", "slide"}, Case{"dense-springs", "thin"}}) {
-    CAPTURE(method, stage);
+  struct Case {
+    std::string method;
+    std::string stage;
+  };
+  for (const Case& stopped : {Case{"force-balance", "thin"}, Case{"dense-springs", "prune"},
+                              Case{"dense-springs", "greedy"}, Case{"dense-springs", "sparsify"},
+                              Case{"dense-springs", "slide"}, Case{"dense-springs", "thin"}}) {
+    CAPTURE(stopped.method, stopped.stage);
     std::stop_source stop;
     io::Scene scene = trefoil_scene();
-    scene.design.method = method;
+    scene.design.method = stopped.method;
     const io::Design design =
         designed(scene, {.stop = stop.get_token(), .progress = [&](const sparsify::Progress& at) {
-                           if (at.stage == stage) stop.request_stop();
+                           if (at.stage == stopped.stage) stop.request_stop();
                          }});
     check_interrupted(design);
     REQUIRE_FALSE(design.trace.empty());
-    CHECK(design.trace.back().stage == stage);
+    CHECK(design.trace.back().stage == stopped.stage);
     check_consistent(design);
   }
 }

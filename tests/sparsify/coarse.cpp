@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 #include <tencer/sparsify/balance.hpp>
-#include <tencer/symmetry/detect.hpp>
 
 #include "models.hpp"
 
@@ -58,17 +57,8 @@ TEST_CASE("A group carried to another resolution still maps the rods onto themse
   const sensitivity::Target target{.points = model.positions};
   const auto problem = coarsened(model.structure, target, {});
   REQUIRE(problem);
-  const auto figure_of = [](const equilibrium::Structure& structure, const Eigen::Matrix3Xd& x) {
-    symmetry::Figure figure;
-    figure.curves.push_back({.points = x, .closed = true});
-    figure.rods.emplace_back(structure.rods[0].rest_lengths, true);
-    figure.classes.push_back(0);
-    return figure;
-  };
-  const auto group = symmetry::detect(figure_of(model.structure, model.positions[0])).group;
-  const auto fewer = carried(group, model.structure.rods, problem->structure.rods);
-  const auto found =
-      symmetry::detect(figure_of(problem->structure, problem->target.points[0])).group;
+  const auto fewer = carried(group_of(model), model.structure.rods, problem->structure.rods);
+  const auto found = group_of({problem->structure, problem->target.points});
   REQUIRE(fewer.order() == found.order());
   const double length = problem->structure.rods[0].length();
   for (const auto& operation : fewer.operations) {
