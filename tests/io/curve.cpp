@@ -6,6 +6,7 @@
 #include <tencer/geometry/curves.hpp>
 #include <tencer/io/curve.hpp>
 
+#include "edited.hpp"
 #include "folder.hpp"
 
 using tencer::geometry::Polyline;
@@ -219,10 +220,8 @@ TEST_CASE("no text makes a reader throw, whatever it is cut to") {
   for (const auto& [name, text] :
        {std::pair("c.obj", obj), std::pair("c.csv", csv), std::pair("c.json", json)})
     for (int trial = 0; trial < 500; ++trial) {
-      std::string changed = text.substr(0, random() % (text.size() + 1));
-      for (int edit = 0; edit < 3 && !changed.empty(); ++edit)
-        changed[random() % changed.size()] = text[random() % text.size()];
-      const auto curves = read_curves(folder.put(name, changed));
+      const std::size_t cut = random() % (text.size() + 1);
+      const auto curves = read_curves(folder.put(name, edited(text, 3, random).substr(0, cut)));
       if (curves) {
         for (const Polyline& curve : *curves)
           REQUIRE(tencer::geometry::edge_lengths(curve).minCoeff() > 0);

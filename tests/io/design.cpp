@@ -6,6 +6,7 @@
 #include <random>
 #include <tencer/io/design.hpp>
 
+#include "edited.hpp"
 #include "folder.hpp"
 
 using namespace tencer::io;
@@ -387,10 +388,7 @@ TEST_CASE("no text makes the design reader throw, and what it reads can be writt
   std::mt19937 random(19);
   int read = 0;
   for (int trial = 0; trial < 1000; ++trial) {
-    std::string changed = text;
-    for (int edit = 0; edit < trial % 4; ++edit)
-      changed[random() % changed.size()] = text[random() % text.size()];
-    const auto design = read_design(folder.put("design.json", changed));
+    const auto design = read_design(folder.put("design.json", edited(text, trial % 4, random)));
     if (design) {
       ++read;
       REQUIRE_FALSE(write_design(folder / "again.json", *design));

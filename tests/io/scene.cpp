@@ -5,6 +5,7 @@
 #include <tencer/io/curve.hpp>
 #include <tencer/io/scene.hpp>
 
+#include "edited.hpp"
 #include "folder.hpp"
 
 using namespace tencer::io;
@@ -546,10 +547,7 @@ TEST_CASE("no text makes the scene reader throw") {
   std::mt19937 random(18);
   int read = 0;
   for (int trial = 0; trial < 1000; ++trial) {
-    std::string changed = text;
-    for (int edit = 0; edit < trial % 4; ++edit)
-      changed[random() % changed.size()] = text[random() % text.size()];
-    const auto scene = read_scene(folder.put("s.toml", changed));
+    const auto scene = read_scene(folder.put("s.toml", edited(text, trial % 4, random)));
     read += scene ? 1 : 0;
     if (!scene) REQUIRE(scene.error().where.starts_with(folder.path().string()));
   }
