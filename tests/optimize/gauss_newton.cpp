@@ -1,6 +1,8 @@
+#include <Eigen/LU>
+#include <catch2/catch.hpp>
 #include <tencer/optimize/gauss_newton.hpp>
 
-#include "backend_checks.hpp"
+#include "../backend_checks/backend_checks.hpp"
 
 using namespace tencer::optimize;
 using namespace tencer::optimize::test;

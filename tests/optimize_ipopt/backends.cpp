@@ -1,7 +1,8 @@
+#include <catch2/catch.hpp>
 #include <tencer/optimize_ipopt/backends.hpp>
 #include <thread>
 
-#include "../optimize/backend_checks.hpp"
+#include "../backend_checks/backend_checks.hpp"
 
 using namespace tencer;
 using namespace tencer::optimize;

@@ -9,7 +9,7 @@
 namespace tencer::io {
 namespace {
 
-constexpr double negligible = 1e-9;  // relative to the bounding-box diagonal of all targets
+constexpr double negligible_gap = 1e-9;  // relative to the bounding-box diagonal of all targets
 
 std::vector<geometry::Polyline> targets(const std::vector<SceneRod>& rods) {
   std::vector<geometry::Polyline> result;
@@ -26,7 +26,8 @@ std::string vertex_name(int rod, int vertex) {
 void check_vertices(const std::vector<SceneRod>& rods, const std::string& where) {
   const auto curves = targets(rods);
   const auto closest = geometry::closest_vertices(curves);
-  if (!closest || closest->distance > negligible * geometry::bounding_box_diagonal(curves)) return;
+  if (!closest || closest->distance > negligible_gap * geometry::bounding_box_diagonal(curves))
+    return;
   const std::string first = vertex_name(closest->rod_a, closest->vertex_a);
   const std::string second = vertex_name(closest->rod_b, closest->vertex_b);
   fail(where, (closest->rod_a == closest->rod_b ? "the rod crosses itself: " : "two rods cross: ") +
@@ -38,7 +39,7 @@ void check_vertices(const std::vector<SceneRod>& rods, const std::string& where)
 void check_plane(const Scene& scene, const std::string& where) {
   const auto curves = targets(scene.rods);
   const double z = curves[0].points(2, 0);
-  const double tolerance = negligible * geometry::bounding_box_diagonal(curves);
+  const double tolerance = negligible_gap * geometry::bounding_box_diagonal(curves);
   for (int rod = 0; rod < static_cast<int>(curves.size()); ++rod)
     for (int i = 0; i < curves[rod].vertices(); ++i)
       if (std::abs(curves[rod].points(2, i) - z) > tolerance)

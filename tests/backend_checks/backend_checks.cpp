@@ -1,22 +1,20 @@
-// What every backend must do. Each adapter's tests call check_backend for each of its backends.
-#pragma once
+#include "backend_checks.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>
-#include <stdexcept>
-#include <tencer/optimize/backend.hpp>
 #include <vector>
-
-#include "problems.hpp"
 
 namespace tencer::optimize::test {
 
-inline bool is_between_bounds(const Problem& problem, const Eigen::VectorXd& p) {
+namespace {
+
+bool is_between_bounds(const Problem& problem, const Eigen::VectorXd& p) {
   return (p.array() >= problem.lower.array()).all() && (p.array() <= problem.upper.array()).all();
 }
 
-// What must hold of any report, whatever the outcome.
-inline void check_report(const Problem& problem, const Report& report) {
+}  // namespace
+
+void check_report(const Problem& problem, const Report& report) {
   CHECK(is_between_bounds(problem, report.point));
   CHECK(report.usable);
   CHECK(report.value == *problem.value(report.point));
@@ -35,7 +33,7 @@ inline void check_report(const Problem& problem, const Report& report) {
   CHECK_FALSE(report.message.empty());
 }
 
-inline void check_answer(const Backend& backend, const Known& known, const Options& options) {
+void check_answer(const Backend& backend, const Known& known, const Options& options) {
   const Report report = backend.minimise(known.problem, known.start, options);
   INFO(report.message);
   check_report(known.problem, report);
@@ -44,38 +42,14 @@ inline void check_answer(const Backend& backend, const Known& known, const Optio
   CHECK(report.failed_evaluations == 0);
 }
 
-inline void check_known_answers(const Backend& backend, Curvature curvature) {
+void check_known_answers(const Backend& backend, Curvature curvature) {
   const Options options{.gradient_tolerance = 1e-7, .value_tolerance = 0.0, .curvature = curvature};
   check_answer(backend, quadratic_with_active_bounds(), options);
   check_answer(backend, rosenbrock_cut_off(), options);
   check_answer(backend, convex_quartic(), options);
 }
 
-inline void check_starts(const Backend& backend) {
-  const Options options{.gradient_tolerance = 1e-7, .value_tolerance = 0.0};
-  Known known = quadratic_with_active_bounds();
-  known.start = Eigen::VectorXd::LinSpaced(12, -3.0, 4.0);  // beyond the bounds
-  check_answer(backend, known, options);
-  known.start.setZero();  // in the corner
-  check_answer(backend, known, options);
-
-  known.start = known.answer;
-  const Report report = backend.minimise(known.problem, known.start, options);
-  CHECK(report.reason == Reason::converged);
-  CHECK(report.evaluations == 1);
-}
-
-inline void check_fixed_parameters(const Backend& backend) {
-  const Options options{.gradient_tolerance = 1e-7, .value_tolerance = 0.0};
-  Known known = quadratic_with_active_bounds();
-  // Held at their answers, they leave the others' unchanged.
-  for (const int i : {0, 5, 9}) known.problem.lower[i] = known.problem.upper[i] = known.answer[i];
-  check_answer(backend, known, options);
-  known.problem.lower = known.problem.upper = known.answer;
-  check_answer(backend, known, options);
-}
-
-inline void check_lost_places(const Backend& backend) {
+void check_lost_places(const Backend& backend) {
   const Options options{.gradient_tolerance = 1e-7};
   const Eigen::Vector2d inside(0.4, 0.4), beyond(1.0, 1.0);
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -109,11 +83,7 @@ inline void check_lost_places(const Backend& backend) {
   CHECK(nowhere.evaluations == 1);
 }
 
-struct Mishap : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-inline void check_exceptions(const Backend& backend) {
+void check_exceptions(const Backend& backend) {
   const Known known = rosenbrock_cut_off();
   for (const int at : {1, 2, 7}) {
     CAPTURE(at);
@@ -139,7 +109,7 @@ inline void check_exceptions(const Backend& backend) {
   CHECK_THROWS_AS(backend.minimise(known.problem, known.start, options), Mishap);
 }
 
-inline void check_limits(const Backend& backend) {
+void check_limits(const Backend& backend) {
   const Known known = rosenbrock_cut_off();
   for (const int limit : {1, 2, 5, 9}) {
     CAPTURE(limit);
@@ -164,7 +134,7 @@ inline void check_limits(const Backend& backend) {
   }
 }
 
-inline void check_stop(const Backend& backend) {
+void check_stop(const Backend& backend) {
   const Known known = rosenbrock_cut_off();
   std::stop_source source;
   int seen = 0, evaluations = 0;
@@ -187,7 +157,45 @@ inline void check_stop(const Backend& backend) {
   CHECK_FALSE(at_once.usable);
 }
 
-inline void check_first_step(const Backend& backend) {
+void check_callers_mistakes(const Backend& backend) {
+  const Known known = rosenbrock_cut_off();
+  const Eigen::VectorXd wrong_size = Eigen::VectorXd::Zero(3);
+  CHECK_THROWS_AS(backend.minimise(known.problem, wrong_size, {}), std::invalid_argument);
+  CHECK_THROWS_AS(backend.minimise(known.problem, known.start, {.max_evaluations = 0}),
+                  std::invalid_argument);
+  Problem no_hessian = known.problem;
+  no_hessian.hessian = nullptr;
+  CHECK_THROWS_AS(backend.minimise(no_hessian, known.start, {.curvature = Curvature::supplied}),
+                  std::invalid_argument);
+}
+
+namespace {
+
+void check_starts(const Backend& backend) {
+  const Options options{.gradient_tolerance = 1e-7, .value_tolerance = 0.0};
+  Known known = quadratic_with_active_bounds();
+  known.start = Eigen::VectorXd::LinSpaced(12, -3.0, 4.0);  // beyond the bounds
+  check_answer(backend, known, options);
+  known.start.setZero();  // in the corner
+  check_answer(backend, known, options);
+
+  known.start = known.answer;
+  const Report report = backend.minimise(known.problem, known.start, options);
+  CHECK(report.reason == Reason::converged);
+  CHECK(report.evaluations == 1);
+}
+
+void check_fixed_parameters(const Backend& backend) {
+  const Options options{.gradient_tolerance = 1e-7, .value_tolerance = 0.0};
+  Known known = quadratic_with_active_bounds();
+  // Held at their answers, they leave the others' unchanged.
+  for (const int i : {0, 5, 9}) known.problem.lower[i] = known.problem.upper[i] = known.answer[i];
+  check_answer(backend, known, options);
+  known.problem.lower = known.problem.upper = known.answer;
+  check_answer(backend, known, options);
+}
+
+void check_first_step(const Backend& backend) {
   const Known known = quadratic_with_active_bounds();
   Options options{.gradient_tolerance = 1e-7, .value_tolerance = 0.0, .first_step = 5e-3};
   check_answer(backend, known, options);
@@ -206,7 +214,7 @@ inline void check_first_step(const Backend& backend) {
   backend.minimise(problem, known.start, options);
 }
 
-inline void check_repeatable(const Backend& backend) {
+void check_repeatable(const Backend& backend) {
   const Known known = rosenbrock_cut_off();
   const Report first = backend.minimise(known.problem, known.start, {});
   const Report second = backend.minimise(known.problem, known.start, {});
@@ -214,19 +222,9 @@ inline void check_repeatable(const Backend& backend) {
   CHECK(first.evaluations == second.evaluations);
 }
 
-inline void check_callers_mistakes(const Backend& backend) {
-  const Known known = rosenbrock_cut_off();
-  const Eigen::VectorXd wrong_size = Eigen::VectorXd::Zero(3);
-  CHECK_THROWS_AS(backend.minimise(known.problem, wrong_size, {}), std::invalid_argument);
-  CHECK_THROWS_AS(backend.minimise(known.problem, known.start, {.max_evaluations = 0}),
-                  std::invalid_argument);
-  Problem no_hessian = known.problem;
-  no_hessian.hessian = nullptr;
-  CHECK_THROWS_AS(backend.minimise(no_hessian, known.start, {.curvature = Curvature::supplied}),
-                  std::invalid_argument);
-}
+}  // namespace
 
-inline void check_backend(const Backend& backend) {
+void check_backend(const Backend& backend) {
   CAPTURE(backend.name);
   CHECK_FALSE(backend.description.empty());
   SECTION(backend.name + ": known answers") {

@@ -1,22 +1,13 @@
-// Bounded problems whose answers are known, for the tests of the optimizers.
-#pragma once
+#include "problems.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
 #include <random>
-#include <tencer/optimize/problem.hpp>
 
 namespace tencer::optimize::test {
 
-struct Known {
-  Problem problem;
-  Eigen::VectorXd start;
-  Eigen::VectorXd answer;
-};
-
-// 1/2 (p-c)^T A (p-c) on [0,1]^12, A with a condition number of 100. c is chosen so that, by the
-// first-order conditions, the answer has four parameters at 0, three at 1 and the others between.
-inline Known quadratic_with_active_bounds() {
+Known quadratic_with_active_bounds() {
   const int n = 12;
   std::mt19937 random(4);
   std::normal_distribution<double> normal;
@@ -52,8 +43,7 @@ inline Known quadratic_with_active_bounds() {
   return known;
 }
 
-// Rosenbrock's valley with x <= 0.8, which cuts its bottom at (0.8, 0.64).
-inline Known rosenbrock_cut_off() {
+Known rosenbrock_cut_off() {
   Known known;
   known.problem.lower = Eigen::Vector2d(-1.5, -1.0);
   known.problem.upper = Eigen::Vector2d(0.8, 2.0);
@@ -76,8 +66,7 @@ inline Known rosenbrock_cut_off() {
   return known;
 }
 
-// sum of (p-c)^4 + (p-c)^2, without bounds, from far away.
-inline Known convex_quartic() {
+Known convex_quartic() {
   const Eigen::VectorXd c = Eigen::VectorXd::LinSpaced(6, -2.0, 2.0);
   Known known;
   known.problem.lower = Eigen::VectorXd::Constant(6, -std::numeric_limits<double>::infinity());
@@ -100,9 +89,7 @@ inline Known convex_quartic() {
   return known;
 }
 
-// |p - c|^4 + |p - c|^2 on [-5,5]^2, where nothing can be evaluated at or beyond x + y = 1. Such a
-// place gives `missing`. With centre (0.4, 0.4) the answer lies just inside; with (1, 1) beyond.
-inline Known with_an_edge(const Eigen::Vector2d& c, std::optional<double> missing) {
+Known with_an_edge(const Eigen::Vector2d& c, std::optional<double> missing) {
   Known known;
   known.problem.lower = Eigen::Vector2d::Constant(-5.0);
   known.problem.upper = Eigen::Vector2d::Constant(5.0);
