@@ -59,7 +59,9 @@ std::vector<int> removal_order(const Walker& walker, const Planner& plan) {
 // Takes out many of the cheapest at once while there are many.
 bool remove_several(Walker& walker, const Planner& plan, const std::vector<int>& order,
                     int fewest) {
-  const auto largest = static_cast<int>(walker.cables() / order.size());  // mostly, of orbits
+  std::size_t tied = 0;
+  for (const auto& orbit : plan.model().orbits) tied += orbit.size();
+  const auto largest = static_cast<int>(tied / order.size());  // mostly, of orbits
   const int several =
       std::min(static_cast<int>(order.size()) / 6, (walker.cables() - fewest) / largest);
   if (several < 2) return false;

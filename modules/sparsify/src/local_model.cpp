@@ -1,6 +1,7 @@
 #include "local_model.hpp"
 
 #include <algorithm>
+#include <tencer/core/error.hpp>
 #include <tencer/springs/derivatives.hpp>
 #include <tencer/springs/law.hpp>
 #include <tencer/symmetry/tie.hpp>
@@ -15,9 +16,10 @@ Kind kind_of(symmetry::Kind kind) {
   return kind == symmetry::Kind::position_b ? Kind::position_b : Kind::rest_length;
 }
 
-std::vector<sensitivity::Parameter> all_parameters(const std::vector<springs::Cable>& cables) {
+std::vector<sensitivity::Parameter> all_parameters(const std::vector<springs::Cable>& cables,
+                                                   int kept) {
   std::vector<sensitivity::Parameter> parameters;
-  for (int c = 0; c < static_cast<int>(cables.size()); ++c) {
+  for (int c = kept; c < static_cast<int>(cables.size()); ++c) {
     parameters.push_back({Kind::rest_length, c});
     if (std::holds_alternative<springs::OnRod>(cables[c].a))
       parameters.push_back({Kind::position_a, c});
@@ -28,9 +30,9 @@ std::vector<sensitivity::Parameter> all_parameters(const std::vector<springs::Ca
 }
 
 // parameters, ties, orbits and what the variables are.
-void lay_out(const std::vector<springs::Cable>& cables, const symmetry::Group* group,
+void lay_out(const std::vector<springs::Cable>& cables, const symmetry::Group* group, int kept,
              LocalModel& model) {
-  model.parameters = all_parameters(cables);
+  model.parameters = all_parameters(cables, kept);
   const auto size = static_cast<Eigen::Index>(model.parameters.size());
   std::vector<sensitivity::Parameter> free = model.parameters;
   if (group) {
@@ -45,7 +47,7 @@ void lay_out(const std::vector<springs::Cable>& cables, const symmetry::Group* g
   } else {
     model.ties.resize(size, size);
     model.ties.setIdentity();
-    for (int c = 0; c < static_cast<int>(cables.size()); ++c) model.orbits.push_back({c});
+    for (int c = kept; c < static_cast<int>(cables.size()); ++c) model.orbits.push_back({c});
   }
   for (int z = 0; z < static_cast<int>(free.size()); ++z) {
     const auto& cable = cables[free[z].cable];
@@ -97,9 +99,10 @@ void add_length_rates(const sensitivity::Configuration& at, LocalModel& model) {
 }  // namespace
 
 LocalModel local_model(const sensitivity::Configuration& at, const sensitivity::Target& target,
-                       const symmetry::Group* group) {
+                       const symmetry::Group* group, int kept) {
+  core::require(!group || kept == 0, "local_model: keeps no cables with a group");
   LocalModel model;
-  lay_out(at.cables(), group, model);
+  lay_out(at.cables(), group, kept, model);
   model.motion = sensitivity::state_derivatives(at, model.parameters, model.ties);
   model.distance =
       sensitivity::least_squares(sensitivity::Distance(target, at.system, at.state), model.motion);

@@ -30,8 +30,9 @@ struct LocalModel {
   Eigen::MatrixXd density_rates{}, length_rates{};   // O x Z
 };
 
-// group: may be null.
+// group: may be null. kept: the first cables, which stay as they are and are in no orbit; only
+// without a group.
 LocalModel local_model(const sensitivity::Configuration& at, const sensitivity::Target& target,
-                       const symmetry::Group* group);
+                       const symmetry::Group* group, int kept = 0);
 
 }  // namespace tencer::sparsify

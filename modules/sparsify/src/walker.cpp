@@ -131,7 +131,7 @@ StepBounds Walker::step_bounds(const LocalModel& model) const {
 
 Planner Walker::planner(double care) const {
   const auto& structure = at_.system.structure();
-  LocalModel model = local_model(at_, task_.target, task_.symmetry);
+  LocalModel model = local_model(at_, task_.target, task_.symmetry, task_.kept);
   double edge = std::numeric_limits<double>::infinity();
   for (int r = 0; r < static_cast<int>(structure.rods.size()); ++r)
     edge = std::min(edge, edge_of(structure, r));
@@ -192,7 +192,10 @@ bool Walker::move(const LocalModel& model, const Eigen::VectorXd& step, const st
     if (!gone[c]) left.push_back(cables[c]);
   trial_.system.set_cables(std::move(left));
   auto forces = equilibrium::predicted_forces(system, at_.state, motion);
+  // Cables that are kept have the tension that is predicted, others the one that they were given.
+  const Eigen::VectorXd kept = forces.tension.head(task_.kept);
   forces.tension = trial_.system.internal_forces(predicted).tension;
+  forces.tension.head(task_.kept) = kept;
   const bool settled = settle(std::move(predicted), soft_,
                               {.tolerance = tolerance,
                                .max_iterations = most_iterations,

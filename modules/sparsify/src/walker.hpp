@@ -24,6 +24,7 @@ struct Task {
   const symmetry::Group* symmetry = nullptr;  // null: none
   double least_eigenvalue = 0.0;              // softer networks are not entered
   int groups = 1;                             // of rods, free of each other, at most
+  int kept = 0;  // the first cables stay as they are; only without symmetry
 };
 
 // The objective is the mismatch of `aim` plus softness * sum of (10 least_eigenvalue / eigenvalue)
