@@ -10,11 +10,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <numbers>
+#include <string_view>
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/geometry/curves.hpp>
 #include <tencer/pipeline/convert.hpp>
@@ -264,7 +266,15 @@ void print(const Study& study, unsigned limit) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const unsigned limit = argc > 1 ? static_cast<unsigned>(std::atoi(argv[1])) : 600;
+  unsigned limit = 600;
+  if (argc > 1) {
+    const std::string_view text = argv[1];
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), limit);
+    if (error != std::errc() || end != text.data() + text.size() || limit == 0) {
+      std::fprintf(stderr, "bench_scaling: expected whole seconds, not %s\n", argv[1]);
+      return 2;
+    }
+  }
   std::printf("One core: %.3g flop/s, %.3g bytes/s from memory.\n\n", bench::flop_rate(),
               bench::read_rate(std::size_t{1} << 28));
   for (const Study& study : studies) print(study, limit);

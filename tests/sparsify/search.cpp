@@ -135,3 +135,27 @@ TEST_CASE("Rods that hold their shape by themselves get no cables") {
     CHECK(error(task, result) < 1e-6);
   }
 }
+
+TEST_CASE("Many rods are searched part by part, and end tied, stable and within the tolerance") {
+  std::vector<geometry::Polyline> links;
+  for (int r = 0; r < 4; ++r) {
+    geometry::Polyline link = geometry::ellipse(1.3, 1.0, 24);
+    if (r % 2 == 1) link.points.row(1).swap(link.points.row(2));
+    link.points.row(0).array() += 1.8 * r;
+    links.push_back(std::move(link));
+  }
+  const Task task = task_of(make_model(links));
+  for (const ThinOptions& options : {ThinOptions{.max_percent = 1.0}, ThinOptions{.cables = 24}}) {
+    const ThinResult result = searched(task, options);
+    CHECK(result.stage.sound);
+    const Network& found = result.stage.network;
+    if (options.cables > 0)
+      CHECK(cables(found) <= options.cables);
+    else
+      CHECK(cables(found) <= 24);
+    CHECK(error(task, result) <= 1.0);
+    const equilibrium::System system(found.structure);
+    CHECK(equilibrium::free_groups(equilibrium::rigid_modes(system, found.state)) == 1);
+    CHECK(equilibrium::solve(system, found.state).usable());
+  }
+}

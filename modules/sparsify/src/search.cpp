@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "coarse.hpp"
+#include "neighbours.hpp"
 #include "parallel.hpp"
 #include "selection.hpp"
 #include "thinning.hpp"
@@ -102,30 +103,53 @@ std::vector<Start> symmetric(const Network& bare, const Problem& problem,
   return all;
 }
 
+// The same without cables between rods that are no neighbours, unless the rules say which to join.
+Problem near_only(Problem problem) {
+  if (!problem.rules.pairs)
+    problem.candidates = among_neighbours(problem.candidates, problem.target.points);
+  return problem;
+}
+
 // All of the search on rods of one resolution; its rows and its best network go to `result`.
 Found search_on(const Problem& problem, const equilibrium::State& at_target,
                 const symmetry::Group* symmetry, std::span<const symmetry::Group> hints,
                 const ThinOptions& options, const Control& control, StageResult& result) {
+  // Descents of the whole take long and end early when there are many rods.
+  constexpr std::size_t several = 4;
+  constexpr std::size_t many = 8;
+  const std::size_t rods = symmetry || options.every_number ? 1 : problem.structure.rods.size();
   const Network bare{problem.structure, at_target};
-  const auto full = balanced(bare, problem, symmetry, options, control, result);
+  std::vector<Start> near;
+  if (rods >= several)
+    near = balanced(bare, near_only(problem), symmetry, options, control, result);
+  std::vector<Start> full = near;
+  if (rods < many || near.empty())
+    full = balanced(bare, problem, symmetry, options, control, result);
   if (full.empty() || result.interrupted) return {};
 
   StageClock clock("thin", control);
-  std::vector<const symmetry::Group*> groups;
-  if (symmetry)
-    groups.push_back(symmetry);
-  else
-    for (const auto& hint : hints) groups.push_back(&hint);
-  constexpr int few_at_least = 6;
-  const int most = std::max(
-      {few_at_least, options.cables, static_cast<int>(result.network.structure.cables.size()) / 2});
-  Effort effort;
-  const auto few = symmetric(bare, problem, groups, most, options, control, effort);
-  clock.count(effort);
-
   const Task task =
       task_for(full.front().network, problem.target, problem.rules, symmetry, options);
   Thinning thinning(task, problem.candidates, options, control, clock);
+  for (Start& start : near) start = {.network = thinning.by_parts(start.network), .descents = 2};
+  if (rods >= many)
+    for (Start& start : full) start.descents = 1;
+  std::vector<Start> few;
+  if (rods < many) {
+    std::vector<const symmetry::Group*> groups;
+    if (symmetry)
+      groups.push_back(symmetry);
+    else
+      for (const auto& hint : hints) groups.push_back(&hint);
+    constexpr int few_at_least = 6;
+    const int most = std::max({few_at_least, options.cables,
+                               static_cast<int>(result.network.structure.cables.size()) / 2});
+    Effort effort;
+    few = symmetric(bare, problem, groups, most, options, control, effort);
+    clock.count(effort);
+  }
+  std::ranges::move(near, std::back_inserter(few));
+
   Found found{.least_eigenvalue = task.least_eigenvalue, .groups = task.groups};
   Pool islands[] = {thinning.descend_from(full), thinning.descend_from(few)};
   const auto record = [&] {
@@ -135,7 +159,7 @@ Found search_on(const Problem& problem, const equilibrium::State& at_target,
     result.trace.push_back(clock.row(result.network, problem.target));
   };
   record();
-  thinning.improve(islands, 2, record);
+  thinning.improve(islands, rods < many ? 2 : 1, record);
   return found;
 }
 

@@ -24,9 +24,9 @@ struct Temper {
   double part = 1.0;
   double times = 1.0;
 };
-constexpr Temper tempers[] = {{0.5, 1.0, 0.3, 1.0}, {5.0, 0.2, 0.3, 1.0},  {0.5, 1.0, 1.0, 0.3},
-                              {0.5, 0.2, 0.3, 1.0}, {0.05, 1.0, 0.3, 1.0}, {0.05, 1.0, 1.0, 3.0}};
-constexpr int temper_count = std::size(tempers);
+constexpr Temper tempers[temper_count] = {{0.5, 1.0, 0.3, 1.0},  {5.0, 0.2, 0.3, 1.0},
+                                          {0.5, 1.0, 1.0, 0.3},  {0.5, 0.2, 0.3, 1.0},
+                                          {0.05, 1.0, 0.3, 1.0}, {0.05, 1.0, 1.0, 3.0}};
 
 // Whether the walker's network as it is built, with inextensible cables, comes to rest where it is
 // when it is let go at the target.
@@ -79,6 +79,12 @@ void Thinning::count(const Walker& walker) {
 void Thinning::report(const Walker& walker) {
   const std::lock_guard lock(mutex_);
   clock_.report(walker.cables(), walker.deviation().max_percent);
+}
+
+double Thinning::steered_percent() const {
+  // With a number of cables given, distances only steer.
+  constexpr double least_percent = 0.25;
+  return options_.cables > 0 ? std::max(options_.max_percent, least_percent) : options_.max_percent;
 }
 
 DescentOptions Thinning::descent(int temper, double percent) {
@@ -139,10 +145,7 @@ Pool Thinning::choose(const std::vector<Network>& path) {
 }
 
 Pool Thinning::descend_from(std::span<const Start> starts) {
-  // With a number of cables given, distances only steer.
-  constexpr double least_percent = 0.25;
-  const double percent =
-      options_.cables > 0 ? std::max(options_.max_percent, least_percent) : options_.max_percent;
+  const double percent = steered_percent();
   struct Job {
     const Start* start = nullptr;
     int temper = 0;

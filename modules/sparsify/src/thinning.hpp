@@ -6,11 +6,15 @@
 #include <span>
 
 #include "descent.hpp"
+#include "part.hpp"
 #include "pool.hpp"
 #include "removal.hpp"
 #include "stage_clock.hpp"
 
 namespace tencer::sparsify {
+
+// Ways to descend that there are.
+inline constexpr int temper_count = 6;
 
 // Where descents begin, at most so many, each of its own temper. symmetry: null, or a group that
 // the network has and its descents keep.
@@ -33,6 +37,11 @@ class Thinning {
   // Descents from each start, and of each the networks that answer what is asked.
   Pool descend_from(std::span<const Start> starts);
 
+  // The network with fewer cables: they are taken out of pairs of rods, one pair after the other,
+  // while the other rods are held. For many rods, where descents of the whole take long and end
+  // early. As it is when it is not in stable equilibrium.
+  Network by_parts(const Network& start);
+
   // Varies the best network of each island, round by round, until `patience` rounds bring nothing
   // better on any, and calls record() after each.
   void improve(std::span<Pool> islands, int patience, const std::function<void()>& record);
@@ -50,6 +59,10 @@ class Thinning {
   void vary(std::span<Pool> islands, int round);
 
   std::vector<const Choice*> bests(std::span<const Pool> islands) const;
+  // false: takes nothing out.
+  bool thin_part(Walker& whole, const Part& part);
+  // The largest distance that descents aim at.
+  double steered_percent() const;
   DescentOptions descent(int temper, double percent);
   Pool choose(const std::vector<Network>& path);
   // offer: which of the best cables goes in; -1: none.
