@@ -4,6 +4,7 @@
 #include <tencer/linalg/symmetric_factor.hpp>
 #include <utility>
 
+#include "../eigenvalues.hpp"
 #include "random_symmetric.hpp"
 
 using namespace tencer::linalg;
@@ -12,8 +13,7 @@ using namespace tencer::linalg::test;
 namespace {
 
 int negative_eigenvalues(const Eigen::MatrixXd& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix, Eigen::EigenvaluesOnly);
-  return static_cast<int>((solver.eigenvalues().array() < 0.0).count());
+  return static_cast<int>((tencer::test::eigenvalues(matrix).array() < 0.0).count());
 }
 
 // Relative to |A| |x|, which is what a backward stable solve keeps small.

@@ -1,0 +1,12 @@
+#include "eigenvalues.hpp"
+
+#include <Eigen/Eigenvalues>
+
+namespace tencer::test {
+
+Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
+      .eigenvalues();
+}
+
+}  // namespace tencer::test
