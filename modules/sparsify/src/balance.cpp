@@ -4,11 +4,11 @@
 #include <numeric>
 #include <tencer/core/error.hpp>
 #include <tencer/equilibrium/solve.hpp>
-#include <tencer/geometry/measure.hpp>
 #include <tencer/sparsify/balance.hpp>
 #include <tencer/symmetry/tie.hpp>
 #include <utility>
 
+#include "fit.hpp"
 #include "soft_modes.hpp"
 #include "stage_clock.hpp"
 #include "target_balance.hpp"
@@ -171,9 +171,7 @@ StageResult balance(const Network& bare, const sensitivity::Target& target,
   StageResult result{.network = bare};
   const auto pulls =
       pulls_at(equilibrium::System(bare.structure), bare.state, candidates, symmetry);
-  std::vector<geometry::Polyline> curves;
-  for (const auto& points : target.points) curves.push_back({.points = points});
-  const double diagonal = geometry::bounding_box_diagonal(curves);
+  const double diagonal = diagonal_of(target);
   // A finer balance has more cables, which hold better: with few, as symmetric ones may be, the
   // rods can slip into another shape where all is in equilibrium too.
   const double slipped = 10 * options.percent;
