@@ -23,6 +23,7 @@ std::vector<int> order_of(const std::vector<std::vector<Network>>& paths) {
 bool Thinning::thin_part(Walker& whole, const Part& part) {
   // Rods that may be far from their targets for their size are steered closer: steps stay small.
   constexpr double most_percent = 1.0;
+  constexpr double worn = 0.4;  // of the accepted distance
   const double diagonal = diagonal_of(part.target);
   const double percent = std::min(steered_percent() * diagonal_ / diagonal, most_percent);
   Task task = task_for(part.network, part.target, part.rules, nullptr, options_);
@@ -48,6 +49,8 @@ bool Thinning::thin_part(Walker& whole, const Part& part) {
     for (std::size_t at = path.size() - 1; at > 0; at /= 2) {
       if (!whole.restart(with_part(before, part, path[at]))) continue;
       if (whole.deviation().max_percent > steered_percent()) continue;
+      // What is lost with each part adds up over the whole.
+      if (whole.deviation().max_percent > worn * steered_percent()) whole.refit(2);
       report(whole);
       return true;
     }
