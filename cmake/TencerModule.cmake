@@ -88,12 +88,14 @@ function(tencer_add_module name)
     get_property(${part} GLOBAL PROPERTY TENCER_${name}_${part})
   endforeach()
 
-  file(GLOB sources CONFIGURE_DEPENDS ${SOURCE_DIR}/src/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${SOURCE_DIR}/src/*.cpp)
   file(GLOB headers CONFIGURE_DEPENDS ${SOURCE_DIR}/include/tencer/${name}/*.hpp)
   add_library(tencer_${name} STATIC ${sources})
   add_library(tencer::${name} ALIAS tencer_${name})
   target_sources(tencer_${name} PUBLIC
     FILE_SET HEADERS BASE_DIRS ${SOURCE_DIR}/include FILES ${headers})
+  # Private headers are named from src on: "folder/header.hpp".
+  target_include_directories(tencer_${name} PRIVATE ${SOURCE_DIR}/src)
   target_compile_features(tencer_${name} PUBLIC cxx_std_20)
   set_target_properties(tencer_${name} PROPERTIES
     EXPORT_NAME ${name}

@@ -3,9 +3,14 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
+#include <optional>
+#include <string>
 #include <tencer/core/error.hpp>
 #include <tencer/core/log.hpp>
+#include <tencer/model/settings.hpp>
+#include <vector>
 
 namespace tencer::app {
 
@@ -24,6 +29,22 @@ CLI::Validator positive_number();
 
 // Likewise of a whole number.
 CLI::Validator positive_integer();
+
+// An option whose values are those of an enumeration, by their names in scene files; `hidden` ones
+// are not offered. The help ends with the scene's default.
+template <class Enum>
+CLI::Option* add_choice(CLI::App& command, const std::string& option, std::optional<Enum>& value,
+                        const std::string& help, Enum standard,
+                        const std::vector<Enum>& hidden = {}) {
+  std::vector<std::string> offered;
+  for (const auto& [choice, name] : model::names<Enum>())
+    if (std::ranges::find(hidden, choice) == hidden.end()) offered.emplace_back(name);
+  return command
+      .add_option_function<std::string>(
+          option, [&value](const std::string& name) { value = model::named<Enum>(name); },
+          help + " [the scene's, else " + std::string(model::name_of(standard)) + "]")
+      ->check(CLI::IsMember(offered));
+}
 
 void add_design(CLI::App& app, Command& chosen);
 void add_simulate(CLI::App& app, Command& chosen);

@@ -5,12 +5,10 @@
 #include <memory>
 #include <optional>
 #include <sstream>
-#include <tencer/equilibrium/rigid_modes.hpp>
 #include <tencer/io/file.hpp>
-#include <tencer/pipeline/convert.hpp>
+#include <tencer/model/resolution.hpp>
 #include <tencer/pipeline/design.hpp>
-#include <tencer/pipeline/prepare.hpp>
-#include <tencer/pipeline/resolution.hpp>
+#include <tencer/pipeline/omissions.hpp>
 #include <utility>
 #include <vector>
 
@@ -42,13 +40,13 @@ early with the best design so far.)";
 struct DesignRequest {
   std::filesystem::path input;
   std::filesystem::path output;
-  std::optional<std::string> method;
-  std::optional<std::string> optimizer;
-  std::optional<std::string> hessian;
+  std::optional<model::Method> method;
+  std::optional<model::Optimizer> optimizer;
+  std::optional<model::SecondDerivatives> hessian;
   std::optional<double> max_error;
   std::optional<int> cables;
-  std::optional<std::string> objective;
-  std::optional<std::string> symmetry;
+  std::optional<model::Measure> objective;
+  std::optional<model::SymmetryUse> symmetry;
   std::optional<int> threads;
   double resolution = 1.0;
   bool trade_off = false;
@@ -56,13 +54,12 @@ struct DesignRequest {
 };
 
 // One line a second at the most.
-std::function<void(const sparsify::Progress&)> progress_lines(const core::Log& log) {
-  auto last =
-      std::make_shared<std::chrono::steady_clock::time_point>(std::chrono::steady_clock::now());
-  return [&log, last](const sparsify::Progress& progress) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - *last < std::chrono::seconds(1)) return;
-    *last = now;
+network::ProgressSink progress_lines(const core::Log& log) {
+  using Clock = std::chrono::steady_clock;
+  return [&log, last = Clock::now()](const network::Progress& progress) mutable {
+    const auto now = Clock::now();
+    if (now - last < std::chrono::seconds(1)) return;
+    last = now;
     std::ostringstream line;
     line.precision(3);
     line << "  " << progress.stage << ": " << progress.cables << " cables, max error "
@@ -71,29 +68,33 @@ std::function<void(const sparsify::Progress&)> progress_lines(const core::Log& l
   };
 }
 
-// Options in place of the scene's keys.
-std::optional<core::Error> apply(const DesignRequest& request, io::DesignSettings& settings) {
-  if (request.trade_off && request.cables)
-    return core::Error{"--cables",
-                       "--trade-off designs every number of cables; drop --cables for "
-                       "all of them, or --trade-off for this one"};
+// The optimizer and the hessian asked for in place of the scene's.
+std::optional<core::Error> apply_optimizer(const DesignRequest& request,
+                                           model::DesignSettings& settings) {
   if (request.optimizer) {
-    const auto known = optimize::find_backend(pipeline::backends(), *request.optimizer);
+    const auto known =
+        optimize::find_backend(pipeline::backends(), model::name_of(*request.optimizer));
     if (!known) return core::Error{"--optimizer", known.error().message};
     settings.optimizer = *request.optimizer;
   }
   if (request.hessian) {
     settings.hessian = *request.hessian;
-    if (const auto problem = io::hessian_problem(settings))
+    if (const auto problem = model::hessian_problem(settings))
       return core::Error{"--hessian", *problem};
-  } else if (request.optimizer && io::hessian_problem(settings)) {
-    settings.hessian = io::DesignSettings{}.hessian;  // the scene's was for another optimizer
+  } else if (request.optimizer && model::hessian_problem(settings)) {
+    settings.hessian = model::DesignSettings{}.hessian;  // the scene's was for another optimizer
   }
+  return std::nullopt;
+}
+
+// Options in place of the scene's keys.
+std::optional<core::Error> apply(const DesignRequest& request, model::DesignSettings& settings) {
+  if (request.trade_off && request.cables)
+    return core::Error{"--cables",
+                       "--trade-off designs every number of cables; drop --cables for "
+                       "all of them, or --trade-off for this one"};
+  if (const auto error = apply_optimizer(request, settings)) return error;
   if (request.method) settings.method = *request.method;
-  if ((request.optimizer || request.hessian) && settings.method != "dense-springs")
-    return core::Error{request.optimizer ? "--optimizer" : "--hessian",
-                       "is of no use to the method " + settings.method +
-                           "; drop it, or add --method dense-springs"};
   // Else the scene's number of cables would decide.
   if (request.max_error || request.trade_off) settings.cables.reset();
   if (request.max_error) settings.max_error = *request.max_error;
@@ -101,56 +102,25 @@ std::optional<core::Error> apply(const DesignRequest& request, io::DesignSetting
   if (request.objective) settings.objective = *request.objective;
   if (request.symmetry) settings.symmetry = *request.symmetry;
   if (request.threads) settings.threads = *request.threads;
-  if (request.symmetry == "detect" && settings.method != "force-balance")
-    return core::Error{"--symmetry", "networks of the method " + settings.method +
-                                         " do not keep symmetries; use none, or --method "
-                                         "force-balance"};
+  if (request.symmetry == model::SymmetryUse::detect &&
+      settings.method != model::Method::force_balance)
+    return core::Error{"--symmetry",
+                       "networks of the method " + std::string(model::name_of(settings.method)) +
+                           " do not keep symmetries; use none, or --method force-balance"};
   return std::nullopt;
 }
 
-// Of rods, free to move against each other.
-int free_groups(const io::Design& design) {
-  const pipeline::Units units = pipeline::units_of(design);
-  const auto structure = pipeline::structure_of(design, pipeline::Cables::inextensible, units);
-  return equilibrium::free_groups(equilibrium::rigid_modes(
-      equilibrium::System(structure), pipeline::pose_state(design, structure, units)));
-}
-
 // Why a design that ran to its end is not complete.
-std::string shortfall(const io::Design& design, const io::DesignSettings& settings) {
-  std::ostringstream text;
-  text << "not complete:";
-  if (settings.cables && static_cast<int>(design.cables.size()) > *settings.cables)
-    text << " it has more cables than the " << *settings.cables << " asked for;";
-  if (!settings.cables && design.error->max_percent > settings.max_error)
-    text << " the max error is above the " << settings.max_error << " % asked for;";
-  if (!design.certificate->stable) text << " it does not stand;";
-  if (const int groups = free_groups(design); groups > 1)
-    text << " nothing ties its " << groups << " groups of rods to each other;";
-  if (!design.certificate->settles_from_target.value_or(true))
-    text << " let go at the target it comes to rest elsewhere;";
-  text << " design.json says so\n";
-  return text.str();
-}
-
-// The design that answers what the settings ask for, out of those for all numbers of cables.
-const io::Design& asked(const std::vector<io::Design>& designs,
-                        const io::DesignSettings& settings) {
-  const auto close = [&](const io::Design& design) {
-    return design.error->max_percent <= settings.max_error;
-  };
-  // Not by their status, which says of all of them when the run was interrupted.
-  for (const auto& design : designs)
-    if (close(design) && design.certificate->stable && *design.certificate->settles_from_target)
-      return design;
-  for (const auto& design : designs)
-    if (close(design)) return design;
-  return designs.back();
+std::string shortfall(const model::Design& design) {
+  std::string text = "not complete:";
+  for (const std::string& reason : model::shortfalls(design)) text += ' ' + reason + ';';
+  return text + " design.json says so\n";
 }
 
 // Designs, writes and returns the one asked for.
-core::Expected<io::Design> make_design(const std::filesystem::path& folder, const io::Scene& scene,
-                                       bool all_numbers, const pipeline::DesignOptions& options) {
+core::Expected<model::Design> make_design(const std::filesystem::path& folder,
+                                          const model::Scene& scene, bool all_numbers,
+                                          const pipeline::RunOptions& options) {
   if (!all_numbers) {
     auto design = pipeline::design(scene, options);
     if (!design) return design.error();
@@ -159,20 +129,20 @@ core::Expected<io::Design> make_design(const std::filesystem::path& folder, cons
   }
   const auto designs = pipeline::trade_off(scene, options);
   if (!designs) return designs.error();
-  const io::Design& best = asked(*designs, scene.design);
+  const model::Design& best = pipeline::best_for(pipeline::goal_of(scene.design), *designs);
   if (const auto error = write_trade_off(folder, *designs, best)) return *error;
   std::cout << trade_off_table(*designs);
   return best;
 }
 
 // What the scene needs and what is left out, a line each.
-std::string explanation(const std::vector<pipeline::Part>& parts) {
+std::string explanation(const std::vector<pipeline::Feature>& features) {
   std::ostringstream text;
   for (const bool used : {false, true}) {
     text << (used ? "needed:\n" : "left out:\n");
-    for (const auto& part : parts)
-      if (part.used == used)
-        text << "  " << std::left << std::setw(19) << part.name << ' ' << part.why << '\n';
+    for (const auto& feature : features)
+      if (feature.used == used)
+        text << "  " << std::left << std::setw(19) << feature.name << ' ' << feature.why << '\n';
   }
   return text.str();
 }
@@ -181,7 +151,7 @@ core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Lo
   auto scene = read_scene_or_curve(request.input);
   if (!scene) return scene.error();
   if (const auto error = apply(request, scene->design)) return *error;
-  *scene = pipeline::at_resolution(*scene, request.resolution);
+  *scene = model::at_resolution(*scene, request.resolution);
   const std::filesystem::path folder =
       request.output.empty() ? std::filesystem::path(request.input.stem().string() + "-design")
                              : request.output;
@@ -189,7 +159,7 @@ core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Lo
   if (request.explain) {
     const auto prepared = pipeline::prepare(*scene);
     if (!prepared) return prepared.error();
-    std::cout << explanation(prepared->parts) << std::flush;
+    std::cout << explanation(pipeline::features_of(*scene, *prepared)) << std::flush;
   }
 
   const Interrupt interrupt;
@@ -198,23 +168,16 @@ core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Lo
                   {.stop = interrupt.token(), .progress = progress_lines(log), .log = log});
   if (!design) return design.error();
 
-  std::cout << summary(*design);
-  if (design->status == io::DesignStatus::interrupted)
+  std::cout << model::summary(*design);
+  if (design->status == model::DesignStatus::interrupted)
     std::cout << "interrupted: this is the best design so far\n";
-  else if (design->status == io::DesignStatus::tolerance_not_reached)
-    std::cout << shortfall(*design, scene->design);
-  else if (design->cables.empty())
+  else if (design->status == model::DesignStatus::tolerance_not_reached)
+    std::cout << shortfall(*design);
+  else if (design->structure.cables.empty())
     std::cout << "the rods rest in this shape by themselves\n";
   std::cout << "see " << (folder / "view.html").string() << '\n';
-  return design->status == io::DesignStatus::complete ? ExitCode::ok
-                                                      : ExitCode::tolerance_not_reached;
-}
-
-std::string backend_names() {
-  std::string names;
-  for (const auto& backend : pipeline::backends())
-    names += (names.empty() ? "" : ", ") + backend.name;
-  return names;
+  return design->status == model::DesignStatus::complete ? ExitCode::ok
+                                                         : ExitCode::tolerance_not_reached;
 }
 
 }  // namespace
@@ -236,29 +199,17 @@ void add_design(CLI::App& app, Command& chosen) {
       ->check(positive_integer());
   command->add_flag("--trade-off", request->trade_off,
                     "Design every number of cables, and list how close each comes");
-  command
-      ->add_option("--objective", request->objective,
-                   "Which of the distances to the target is made small [the scene's, else " +
-                       io::DesignSettings{}.objective + "]")
-      ->check(CLI::IsMember({"max", "rms"}));
-  command
-      ->add_option("--symmetry", request->symmetry,
-                   "Whether the cables keep the target's symmetries, or you are told of them [the "
-                   "scene's, else " +
-                       io::DesignSettings{}.symmetry + "]")
-      ->check(CLI::IsMember({"none", "offer", "detect"}));
-  command
-      ->add_option("--method", request->method,
-                   "The way to a network [the scene's, else " + io::DesignSettings{}.method + "]")
-      ->check(CLI::IsMember({"force-balance", "dense-springs"}));
-  command->add_option("--optimizer", request->optimizer,
-                      "Outer optimizer of dense-springs: " + backend_names() +
-                          " [the scene's, else " + io::DesignSettings{}.optimizer + "]");
-  command
-      ->add_option("--hessian", request->hessian,
-                   "What gauss-newton or ipopt is told of curvature [the scene's, else " +
-                       io::DesignSettings{}.hessian + "]")
-      ->check(CLI::IsMember({"limited-memory", "gauss-newton", "exact"}));
+  const model::DesignSettings standard;
+  add_choice(*command, "--objective", request->objective,
+             "Which of the distances to the target is made small", standard.objective);
+  add_choice(*command, "--symmetry", request->symmetry,
+             "Whether the cables keep the target's symmetries, or you are told of them",
+             standard.symmetry, {model::SymmetryUse::given});
+  add_choice(*command, "--method", request->method, "The way to a network", standard.method);
+  add_choice(*command, "--optimizer", request->optimizer,
+             "Who makes the last fit, and in dense-springs all of them", standard.optimizer);
+  add_choice(*command, "--hessian", request->hessian,
+             "What gauss-newton or ipopt is told of curvature", standard.hessian);
   command
       ->add_option("--threads", request->threads,
                    "How many threads share the work; the design is the same [the scene's, else as "

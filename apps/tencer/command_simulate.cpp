@@ -50,7 +50,7 @@ core::Expected<ExitCode> run_simulate(const SimulateRequest& request) {
             << "largest motion from the file's pose " << result->moved_percent
             << " % of the target's size";
   if (request.refine > 1) std::cout << ", with " << request.refine << " edges for each";
-  std::cout << '\n' << summary(result->design);
+  std::cout << '\n' << model::summary(result->design);
   return result->usable() ? ExitCode::ok : ExitCode::tolerance_not_reached;
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <tencer/geometry/families.hpp>
 #include <tencer/io/curve.hpp>
-#include <tencer/pipeline/random_knot.hpp>
+#include <tencer/random_targets/random_knot.hpp>
 
 #include "command.hpp"
 
@@ -45,14 +45,14 @@ core::Expected<ExitCode> write_family(const FamilyRequest& request) {
 }
 
 struct KnotRequest {
-  pipeline::RandomKnotOptions options;
+  random_targets::RandomKnotOptions options;
   std::string output;
 };
 
 core::Expected<ExitCode> write_random_knot(const KnotRequest& request) {
-  if (const auto problem = pipeline::random_knot_problem(request.options))
+  if (const auto problem = random_targets::random_knot_problem(request.options))
     return core::Error{"target random-knot", *problem};
-  const auto knot = pipeline::random_knot(request.options);
+  const auto knot = random_targets::random_knot(request.options);
   if (!knot)
     return core::Error{"target random-knot",
                        "no draw of this seed keeps clear of itself; try another --seed"};
@@ -94,7 +94,7 @@ void add_family(CLI::App& target, const geometry::Family& family, Command& chose
 
 void add_random_knot(CLI::App& target, Command& chosen) {
   const auto request = std::make_shared<KnotRequest>();
-  pipeline::RandomKnotOptions& options = request->options;
+  random_targets::RandomKnotOptions& options = request->options;
   CLI::App* command = target.add_subcommand(
       "random-knot", "Write a closed rod at rest under random springs (figure 14)");
   command->add_option("--cables", options.cables, "springs that make it")->capture_default_str();

@@ -1,8 +1,10 @@
 #include "design_files.hpp"
 
+#include <array>
 #include <iomanip>
 #include <sstream>
 #include <system_error>
+#include <tencer/io/csv.hpp>
 #include <tencer/io/curve.hpp>
 #include <tencer/io/file.hpp>
 #include <tencer/io/trace.hpp>
@@ -16,9 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<io::NamedText> files_of(const io::Design& design) {
+std::vector<io::NamedText> files_of(const model::Design& design) {
   std::vector<geometry::Polyline> poses;
-  for (const auto& rod : design.rods) poses.push_back({rod.pose, rod.closed});
+  for (std::size_t r = 0; r < design.pose.size(); ++r)
+    poses.push_back(model::pose_curve(design, r));
   return {{"design.json", io::design_text(design)},
           {"trace.csv", io::trace_text(design.trace)},
           {"pose.obj", io::obj_text(poses)},
@@ -26,15 +29,19 @@ std::vector<io::NamedText> files_of(const io::Design& design) {
           {"picture.svg", picture_svg(design)}};
 }
 
-std::string trade_off_csv(std::span<const io::Design> designs) {
-  std::ostringstream text;
-  text << std::setprecision(17) << std::boolalpha
-       << "cables,max_percent,rms_percent,smallest_eigenvalue,stands,settles\n";
-  for (const auto& design : designs)
-    text << design.cables.size() << ',' << design.error->max_percent << ','
-         << design.error->rms_percent << ',' << design.certificate->smallest_eigenvalue << ','
-         << design.certificate->stable << ',' << *design.certificate->settles_from_target << '\n';
-  return text.str();
+std::string trade_off_csv(std::span<const model::Design> designs) {
+  const auto yes = [](bool holds) { return std::string(holds ? "true" : "false"); };
+  std::string text = "cables,max_percent,rms_percent,smallest_eigenvalue,stands,settles\n";
+  for (const auto& design : designs) {
+    const model::Certificate& certificate = *design.certificate;
+    text += io::csv_line(std::array{std::to_string(design.structure.cables.size()),
+                                    io::to_text(design.error->max_percent),
+                                    io::to_text(design.error->rms_percent),
+                                    io::to_text(certificate.smallest_eigenvalue),
+                                    yes(certificate.stable),
+                                    yes(*certificate.settles_from_target)});
+  }
+  return text;
 }
 
 // Folders that are not there yet: those of them that are made meanwhile are removed again, with the
@@ -76,16 +83,16 @@ class NewFolders {
 }  // namespace
 
 std::optional<core::Error> write_design_files(const std::filesystem::path& folder,
-                                              const io::Design& design) {
+                                              const model::Design& design) {
   if (auto error = io::design_problem(folder / "design.json", design)) return error;
   return io::write_files(folder, files_of(design));
 }
 
 std::optional<core::Error> write_trade_off(const std::filesystem::path& folder,
-                                           std::span<const io::Design> designs,
-                                           const io::Design& asked) {
-  const auto folder_of = [&](const io::Design& design) {
-    return folder / ("cables-" + std::to_string(design.cables.size()));
+                                           std::span<const model::Design> designs,
+                                           const model::Design& asked) {
+  const auto folder_of = [&](const model::Design& design) {
+    return folder / ("cables-" + std::to_string(design.structure.cables.size()));
   };
   NewFolders made;
   made.add_above(folder.parent_path());
@@ -103,43 +110,15 @@ std::optional<core::Error> write_trade_off(const std::filesystem::path& folder,
   return std::nullopt;
 }
 
-std::string trade_off_table(std::span<const io::Design> designs) {
+std::string trade_off_table(std::span<const model::Design> designs) {
   std::ostringstream text;
   text << std::setprecision(3) << "cables  max %     rms %     eigenvalue  stands  settles\n";
   for (const auto& design : designs) {
-    const io::Certificate& certificate = *design.certificate;
-    text << std::left << std::setw(8) << design.cables.size() << std::setw(10)
+    const model::Certificate& certificate = *design.certificate;
+    text << std::left << std::setw(8) << design.structure.cables.size() << std::setw(10)
          << design.error->max_percent << std::setw(10) << design.error->rms_percent << std::setw(12)
          << certificate.smallest_eigenvalue << std::setw(8) << (certificate.stable ? "yes" : "no")
          << (*certificate.settles_from_target ? "yes" : "no") << '\n';
-  }
-  return text.str();
-}
-
-std::string summary(const io::Design& design) {
-  std::ostringstream text;
-  int external = 0;
-  for (const auto& cable : design.cables)
-    if (cable.a.anchor >= 0 || cable.b.anchor >= 0) ++external;
-  text << design.cables.size() << " cables";
-  if (design.anchors.cols() > 0)
-    text << " (" << static_cast<int>(design.cables.size()) - external << " internal, " << external
-         << " external)";
-  text << std::setprecision(3);
-  if (design.error)
-    text << ", max error " << design.error->max_percent << " %, rms " << design.error->rms_percent
-         << " % of the target's size";
-  text << '\n';
-  if (design.certificate) {
-    const io::Certificate& certificate = *design.certificate;
-    text << (certificate.stable ? "stands" : "does not stand")
-         << " with inextensible cables: force imbalance " << certificate.residual
-         << ", smallest eigenvalue " << certificate.smallest_eigenvalue << " ("
-         << certificate.eigenvalue_unit << "), " << certificate.slack_cables << " slack cables\n";
-    if (certificate.settles_from_target)
-      text << (*certificate.settles_from_target
-                   ? "let go at the target it comes to rest in this pose\n"
-                   : "let go at the target it comes to rest elsewhere\n");
   }
   return text.str();
 }

@@ -13,19 +13,16 @@ namespace tencer::app {
 // design.json, trace.csv, pose.obj, view.html and picture.svg in `folder`, which is made when it is
 // not there: all of them or, on an Error, none.
 std::optional<core::Error> write_design_files(const std::filesystem::path& folder,
-                                              const io::Design& design);
+                                              const model::Design& design);
 
 // In `folder` the files of the design asked for and trade-off.csv, one line a design, and in a
 // folder cables-N for each number N of cables the files of that design. The folders of designs come
 // first, each all or nothing; on an Error those that are new are removed again.
 std::optional<core::Error> write_trade_off(const std::filesystem::path& folder,
-                                           std::span<const io::Design> designs,
-                                           const io::Design& asked);
+                                           std::span<const model::Design> designs,
+                                           const model::Design& asked);
 
 // trade-off.csv for the terminal.
-std::string trade_off_table(std::span<const io::Design> designs);
-
-// A few lines: cables, error, certificate.
-std::string summary(const io::Design& design);
+std::string trade_off_table(std::span<const model::Design> designs);
 
 }  // namespace tencer::app

@@ -29,16 +29,17 @@ std::string number(double value) {
   return {text.data(), end.ptr};
 }
 
-Eigen::Matrix3Xd all_points(const io::Design& design) {
-  Eigen::Index count = design.anchors.cols();
-  for (const io::DesignRod& rod : design.rods) count += rod.pose.cols();
+Eigen::Matrix3Xd all_points(const model::Design& design) {
+  const Eigen::Matrix3Xd& anchors = design.structure.anchors;
+  Eigen::Index count = anchors.cols();
+  for (const auto& pose : design.pose) count += pose.cols();
   Eigen::Matrix3Xd points(3, count);
   Eigen::Index at = 0;
-  for (const io::DesignRod& rod : design.rods) {
-    points.middleCols(at, rod.pose.cols()) = rod.pose;
-    at += rod.pose.cols();
+  for (const auto& pose : design.pose) {
+    points.middleCols(at, pose.cols()) = pose;
+    at += pose.cols();
   }
-  points.rightCols(design.anchors.cols()) = design.anchors;
+  points.rightCols(anchors.cols()) = anchors;
   return points;
 }
 
@@ -117,29 +118,32 @@ struct Piece {
   double depth() const { return (a.z() + b.z()) / 2; }
 };
 
-Vector3d end_point(const io::Design& design, const io::CableEnd& end) {
-  if (end.anchor >= 0) return design.anchors.col(end.anchor);
-  const io::DesignRod& rod = design.rods[end.rod];
-  const geometry::ArcLength arc(rod.rest_lengths, rod.closed);
+Vector3d end_point(const model::Design& design, const springs::End& end) {
+  if (const auto* anchor = std::get_if<springs::AtAnchor>(&end))
+    return design.structure.anchors.col(anchor->anchor);
+  const auto& on = std::get<springs::OnRod>(end);
+  const der::Rod& rod = design.structure.rods[on.rod];
+  const Eigen::Matrix3Xd& pose = design.pose[on.rod];
   // s = length on a closed rod is the seam, which wraps to the start.
-  const geometry::Location at = arc.locate(end.s);
-  return (1 - at.t) * rod.pose.col(at.edge) + at.t * rod.pose.col((at.edge + 1) % rod.pose.cols());
+  const auto at = geometry::ArcLength(rod.rest_lengths, rod.closed).locate(on.s);
+  return (1 - at.t) * pose.col(at.edge) + at.t * pose.col((at.edge + 1) % pose.cols());
 }
 
-std::vector<Piece> pieces_of(const io::Design& design, const View& view) {
+std::vector<Piece> pieces_of(const model::Design& design, const View& view) {
+  const model::Structure& structure = design.structure;
   std::vector<Piece> pieces;
-  for (int r = 0; r < static_cast<int>(design.rods.size()); ++r) {
-    const Eigen::Matrix3Xd& pose = design.rods[r].pose;
-    for (Eigen::Index i = 0; i < design.rods[r].rest_lengths.size(); ++i)
+  for (int r = 0; r < static_cast<int>(structure.rods.size()); ++r) {
+    const Eigen::Matrix3Xd& pose = design.pose[r];
+    for (Eigen::Index i = 0; i < structure.rods[r].edges(); ++i)
       pieces.push_back({view(pose.col(i)), view(pose.col((i + 1) % pose.cols())), r});
   }
-  for (const io::DesignCable& cable : design.cables) {
+  for (const springs::Cable& cable : structure.cables) {
     const Vector3d a = end_point(design, cable.a);
     const Vector3d b = end_point(design, cable.b);
     const auto at = [&](int i) { return view(a + (b - a) * i / cable_pieces); };
     for (int i = 0; i < cable_pieces; ++i) pieces.push_back({at(i), at(i + 1)});
   }
-  for (const auto& anchor : design.anchors.colwise())
+  for (const auto& anchor : structure.anchors.colwise())
     pieces.push_back({view(anchor), view(anchor), -1, true});
   std::ranges::stable_sort(pieces, {}, &Piece::depth);
   return pieces;
@@ -178,13 +182,13 @@ constexpr const char* styles = R"(<style>
 
 }  // namespace
 
-std::string picture_svg(const io::Design& design) {
-  core::require(!design.rods.empty(), "picture_svg: needs at least one rod");
+std::string picture_svg(const model::Design& design) {
+  core::require(!design.structure.rods.empty(), "picture_svg: needs at least one rod");
   const Frame frame = frame_of(all_points(design));
   std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " +
                     number(frame.width) + " " + number(frame.height) + "\" role=\"img\">\n";
-  svg +=
-      "<title>Rods held in shape by " + std::to_string(design.cables.size()) + " cables</title>\n";
+  svg += "<title>Rods held in shape by " + std::to_string(design.structure.cables.size()) +
+         " cables</title>\n";
   svg += styles;
   svg += "<rect class=\"t-paper\" width=\"" + number(frame.width) + "\" height=\"" +
          number(frame.height) + "\"/>\n<g fill=\"none\">\n";

@@ -5,7 +5,7 @@
 
 namespace tencer::app {
 
-core::Expected<io::Scene> read_scene_or_curve(const std::filesystem::path& input) {
+core::Expected<model::Scene> read_scene_or_curve(const std::filesystem::path& input) {
   if (input.extension() == ".toml") return io::read_scene(input);
   auto curves = io::read_curves(input);
   if (!curves) return curves.error();

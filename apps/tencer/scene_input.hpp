@@ -8,6 +8,6 @@
 namespace tencer::app {
 
 // A scene (.toml), or the scene of a curve file.
-core::Expected<io::Scene> read_scene_or_curve(const std::filesystem::path& input);
+core::Expected<model::Scene> read_scene_or_curve(const std::filesystem::path& input);
 
 }  // namespace tencer::app

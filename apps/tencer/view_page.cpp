@@ -22,7 +22,7 @@ std::string script_safe(const std::string& json) {
 
 }  // namespace
 
-std::string view_page(const io::Design& design) {
+std::string view_page(const model::Design& design) {
   constexpr std::string_view picture_mark = "@PICTURE@";
   constexpr std::string_view design_mark = "@DESIGN@";
   const auto picture_at = view_template.find(picture_mark);

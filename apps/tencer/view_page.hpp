@@ -8,6 +8,6 @@ namespace tencer::app {
 
 // Holds the whole design file, from which scripts make the view and the tables, and the picture of
 // picture.hpp for where there is no WebGL. Requires at least one rod and finite coordinates.
-std::string view_page(const io::Design& design);
+std::string view_page(const model::Design& design);
 
 }  // namespace tencer::app

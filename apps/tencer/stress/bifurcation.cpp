@@ -51,7 +51,7 @@ double eigenvalue(const der::Rod& rod, double load) {
   return stiffness / l * L * L * L * L / rod.section.EI1;
 }
 
-equilibrium::Structure hinged(const der::Rod& rod) {
+model::Structure hinged(const der::Rod& rod) {
   return {.rods = {rod}, .pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = edges}}};
 }
 
@@ -66,7 +66,7 @@ Row certificate(double distance, double length = 1.0) {
   const der::Rod rod = column(length);
   const double load = critical_load(rod) * (1 + distance);
   const equilibrium::System system(hinged(rod));
-  const auto state = equilibrium::make_state(system.structure(), {compressed(rod, load)});
+  const auto state = model::make_state(system.structure(), {compressed(rod, load)});
   const auto stability = equilibrium::stability(system, state);
   Row row{.name = "straight state, certificate at " + distance_text(distance),
           .known = "eigenvalue, closed form, in units of the free rod's",

@@ -26,7 +26,7 @@ class Deadline {
   std::jthread timer_;
 };
 
-bool all_finite(const equilibrium::State& state) {
+bool all_finite(const model::State& state) {
   for (const auto& rod : state)
     if (!rod.x.allFinite()) return false;
   return true;
@@ -35,8 +35,8 @@ bool all_finite(const equilibrium::State& state) {
 std::string words(const equilibrium::Stability& stability) {
   if (!stability.computed) return "stability could not be computed";
   if (stability.negative > 0) return "unstable";
-  if (stability.loose_groups > 0)
-    return std::to_string(stability.loose_groups) + " groups of rods free of each other";
+  if (stability.floating_components > 0)
+    return std::to_string(stability.floating_components) + " groups of rods free of each other";
   return stability.stable() ? "stable" : "neutral";
 }
 
@@ -86,7 +86,7 @@ Eigen::Matrix3Xd polygon(int vertices, double circumference) {
 }
 
 Error distance_from(Eigen::Matrix3Xd x, double size, int rod) {
-  return [x = std::move(x), size, rod](const equilibrium::State& state) {
+  return [x = std::move(x), size, rod](const model::State& state) {
     const auto motion =
         registration::align(state[rod].x, x, Eigen::VectorXd::Ones(state[rod].x.cols()));
     return (motion.apply(state[rod].x) - x).colwise().norm().maxCoeff() / size;
@@ -97,9 +97,8 @@ Row forward(const Forward& forward) {
   Row row = row_of(forward);
   const Deadline deadline;
   const equilibrium::System system(forward.structure);
-  const auto result =
-      equilibrium::solve(system, equilibrium::make_state(forward.structure, forward.start),
-                         {.stop = deadline.token()});
+  const auto result = equilibrium::solve(
+      system, model::make_state(forward.structure, forward.start), {.stop = deadline.token()});
   fill(row, forward, result, equilibrium::stability(system, result.state));
   return row;
 }
@@ -107,14 +106,14 @@ Row forward(const Forward& forward) {
 Row built(const Forward& forward) {
   Row row = row_of(forward);
   const Deadline deadline;
-  const auto form = equilibrium::settle(forward.structure,
-                                        equilibrium::make_state(forward.structure, forward.start),
-                                        {.stop = deadline.token()});
-  const auto certificate =
-      equilibrium::certify(forward.structure, form.equilibrium.state, form.tensions);
-  fill(row, forward, form.equilibrium, certificate.stability);
-  row.claims_answer = row.claims_answer && certificate.stands();
-  if (!certificate.slack.empty()) row.report += "; slack cables";
+  const auto form = equilibrium::relax_inextensible(
+      forward.structure, model::make_state(forward.structure, forward.start),
+      {.stop = deadline.token()});
+  const auto assessment =
+      equilibrium::assess(forward.structure, form.equilibrium.state, form.tensions);
+  fill(row, forward, form.equilibrium, assessment.stability);
+  row.claims_answer = row.claims_answer && assessment.certified();
+  if (!assessment.slack.empty()) row.report += "; slack cables";
   return row;
 }
 
@@ -132,7 +131,7 @@ Eigen::Matrix3Xd arch(const der::Rod& rod, double span, double height) {
 
 Forward pinned_bow(std::string name, const der::Rod& rod, double angle, double promise) {
   const Bow answer = bow(rod, angle);
-  equilibrium::Structure structure{
+  model::Structure structure{
       .rods = {rod}, .pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = rod.vertices() - 1}}};
   return {.name = std::move(name),
           .structure = std::move(structure),

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <functional>
 #include <stop_token>
-#include <tencer/equilibrium/built.hpp>
+#include <tencer/equilibrium/inextensible.hpp>
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/equilibrium/stability.hpp>
 
@@ -24,7 +24,7 @@ Eigen::Matrix3Xd polygon(int vertices, double circumference);
 using Positions = std::vector<Eigen::Matrix3Xd>;  // per rod
 
 // How far a state is from the known answer, relative.
-using Error = std::function<double(const equilibrium::State&)>;
+using Error = std::function<double(const model::State&)>;
 
 // Largest distance of a vertex of rod `rod` from `x`, after the best rigid motion, relative to
 // `size`.
@@ -32,7 +32,7 @@ Error distance_from(Eigen::Matrix3Xd x, double size, int rod = 0);
 
 struct Forward {
   std::string name;
-  equilibrium::Structure structure;
+  model::Structure structure;
   Positions start;
   std::string known;
   double promise;
@@ -42,7 +42,7 @@ struct Forward {
 // With the cables as springs. The row's iterations, residual and words are solve()'s; its
 // stability is stability()'s.
 Row forward(const Forward& forward);
-// With inextensible cables of their rest lengths: settle() and certify().
+// With inextensible cables of their rest lengths: relax_inextensible() and assess().
 Row built(const Forward& forward);
 
 // A bow of the given rod between two fixed points, started from a parabolic arch of another height.

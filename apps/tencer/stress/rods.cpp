@@ -18,8 +18,7 @@ std::string power_of_ten(int exponent) { return "1e" + std::to_string(exponent);
 // A ring that starts as an ellipse; at rest it is the regular polygon, whose edges have their rest
 // lengths.
 Forward ring(std::string name, int vertices, double slenderness, double promise) {
-  equilibrium::Structure structure{
-      .rods = {slender_rod(true, equal_lengths(vertices), slenderness)}};
+  model::Structure structure{.rods = {slender_rod(true, equal_lengths(vertices), slenderness)}};
   Eigen::Matrix3Xd start = polygon(vertices, 1.0);
   start.row(0) *= 1.2;
   start.row(1) *= 0.8;
@@ -39,7 +38,7 @@ Row stable(Row row) {
 // An open rod folded in the middle up to an angle; nothing holds it so.
 Forward released_fold(double gap) {
   const int edges = 20;
-  equilibrium::Structure structure{.rods = {slender_rod(false, equal_lengths(edges), 1e3)}};
+  model::Structure structure{.rods = {slender_rod(false, equal_lengths(edges), 1e3)}};
   Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Zero(3, edges + 1);
   for (int i = 0; i <= edges; ++i) {
     const double s = static_cast<double>(i) / edges;

@@ -62,16 +62,15 @@ Forward two_bows(int exponent) {
 Error either_polygon(int vertices) {
   const Eigen::Matrix3Xd x = polygon(vertices, 1.0);
   return [first = distance_from(x, 1.0, 0), second = distance_from(x, 1.0, 1)](
-             const equilibrium::State& state) { return std::max(first(state), second(state)); };
+             const model::State& state) { return std::max(first(state), second(state)); };
 }
 
 // A ring in a larger one, spokes from vertex to vertex pulling with `tension`.
 Forward nested_rings(double tension) {
   const int n = 24;
   const double inner_length = 1.0, outer_length = 2.0;
-  equilibrium::Structure structure{
-      .rods = {slender_rod(true, equal_lengths(n, inner_length), 1e2),
-               slender_rod(true, equal_lengths(n, outer_length), 1e2)}};
+  model::Structure structure{.rods = {slender_rod(true, equal_lengths(n, inner_length), 1e2),
+                                      slender_rod(true, equal_lengths(n, outer_length), 1e2)}};
   // Radial balance: the spokes' pull stretches the inner ring's edges and compresses the outer's.
   const double along = tension / (2 * std::sin(pi / n));
   const auto stretched = [&](const der::Rod& rod, double force) {
@@ -99,7 +98,7 @@ Forward nested_rings(double tension) {
 // Two rings, each through the other, or one far from the other; tied by nothing.
 Forward two_rings(std::string name, double distance) {
   const int n = 40;
-  equilibrium::Structure structure{
+  model::Structure structure{
       .rods = {slender_rod(true, equal_lengths(n), 1e3), slender_rod(true, equal_lengths(n), 1e3)}};
   Eigen::Matrix3Xd first = polygon(n, 1.0);
   first.row(0) *= 1.2;

@@ -17,8 +17,8 @@
 namespace tencer::app::study {
 namespace {
 
-using equilibrium::Structure;
 using equilibrium::System;
+using model::Structure;
 using std::numbers::pi;
 
 constexpr double EI = 1.0;
@@ -33,7 +33,7 @@ der::Rod rod_of(int edges, bool closed, const der::Section& section = round) {
           .rest_lengths = Eigen::VectorXd::Constant(edges, length / edges)};
 }
 
-equilibrium::Equilibrium solved(const System& system, equilibrium::State start) {
+equilibrium::Equilibrium solved(const System& system, model::State start) {
   auto result = equilibrium::solve(system, std::move(start));
   core::require(result.usable(), "closed forms: a problem has no equilibrium");
   return result;

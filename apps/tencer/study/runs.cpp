@@ -56,7 +56,7 @@ Row failed(const Run& run, const ChildEnd& end, const fs::path& log, double limi
 
 // The way to a design: where each stage ended, unless nothing had changed. A label where the number
 // of cables is another. Without the last one, the design itself.
-std::vector<PlotPoint> stages(const io::Design& design) {
+std::vector<PlotPoint> stages(const model::Design& design) {
   std::vector<PlotPoint> points;
   double seconds = 0;
   int cables = -1;
@@ -70,7 +70,8 @@ std::vector<PlotPoint> stages(const io::Design& design) {
                         .label = changed ? std::to_string(stage.cables) : ""});
     cables = stage.cables;
   }
-  if (cables == static_cast<int>(design.cables.size()) && points.size() > 1) points.pop_back();
+  if (cables == static_cast<int>(design.structure.cables.size()) && points.size() > 1)
+    points.pop_back();
   return points;
 }
 
@@ -126,9 +127,9 @@ std::optional<Row> make(const Run& run, const fs::path& folder, double limit,
     return Row{
         .run = run, .status = "failed", .seconds = end.seconds, .message = design.error().text()};
   Row row = row_of(run, *design, end.seconds);
-  if (design->status == io::DesignStatus::interrupted)
+  if (design->status == model::DesignStatus::interrupted)
     row.message = "interrupted at the time limit of " + short_text(limit) + " s";
-  else if (design->status != io::DesignStatus::complete)
+  else if (design->status != model::DesignStatus::complete)
     row.message = complaint(log);
   return row;
 }

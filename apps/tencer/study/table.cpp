@@ -90,13 +90,12 @@ bool same_run(const Run& a, const Run& b) {
          a.resolution == b.resolution;
 }
 
-Row row_of(const Run& run, const io::Design& design, double seconds) {
+Row row_of(const Run& run, const model::Design& design, double seconds) {
   Row row{.run = run, .status = io::status_name(design.status), .seconds = seconds};
   row.vertices = 0;
-  for (const auto& rod : design.rods) *row.vertices += static_cast<int>(rod.target.cols());
-  row.cables = static_cast<int>(design.cables.size());
-  row.external_cables = static_cast<int>(std::ranges::count_if(
-      design.cables, [](const auto& cable) { return cable.a.anchor >= 0 || cable.b.anchor >= 0; }));
+  for (const auto& points : design.target) *row.vertices += static_cast<int>(points.cols());
+  row.cables = static_cast<int>(design.structure.cables.size());
+  row.external_cables = model::external_cables(design);
   if (design.error) {
     row.max_percent = design.error->max_percent;
     row.rms_percent = design.error->rms_percent;

@@ -43,7 +43,7 @@ struct Row {
 };
 
 // What a finished design says of itself.
-Row row_of(const Run& run, const io::Design& design, double seconds);
+Row row_of(const Run& run, const model::Design& design, double seconds);
 
 // A header and a line a row. Stages have a column each, seconds_NAME, empty where a run has none.
 std::string table_text(std::span<const Row> rows);

@@ -14,7 +14,7 @@ struct BalancedStability {
 };
 
 // See stability_inextensible. gradient: of the rods, loads and tensions together.
-BalancedStability balanced_stability(const Structure& structure, const State& state,
+BalancedStability balanced_stability(const model::Structure& structure, const model::State& state,
                                      const Eigen::VectorXd& tensions, const std::vector<int>& taut,
                                      const Eigen::VectorXd& gradient);
 

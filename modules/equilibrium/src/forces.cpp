@@ -73,7 +73,7 @@ double relative_residual(const System& system, const Eigen::VectorXd& gradient,
   return largest;
 }
 
-ForceBalance force_balance(const System& system, const State& state) {
+ForceBalance force_balance(const System& system, const model::State& state) {
   const Eigen::VectorXd rods = system.rod_gradient(state);
   ForceBalance balance{.gradient = rods};
   system.add_cable_gradient(state, balance.gradient);
@@ -81,7 +81,7 @@ ForceBalance force_balance(const System& system, const State& state) {
   return balance;
 }
 
-bool is_rounding(const System& system, const State& state, const Eigen::VectorXd& gradient) {
+bool is_rounding(const System& system, const model::State& state, const Eigen::VectorXd& gradient) {
   const auto& structure = system.structure();
   const auto rods = static_cast<Eigen::Index>(structure.rods.size());
   Eigen::VectorXd largest(rods), squared(rods);
@@ -107,7 +107,7 @@ bool is_rounding(const System& system, const State& state, const Eigen::VectorXd
       .all();
 }
 
-double energy_rounding(const System& system, const State& state) {
+double energy_rounding(const System& system, const model::State& state) {
   const InternalForces forces = system.internal_forces(state);
   double squared = 0;
   double extent = 0;
@@ -134,18 +134,6 @@ double curvature_rounding(const Eigen::VectorXd& diagonal, const Eigen::VectorXd
   return 8 * std::numeric_limits<double>::epsilon() * diagonal.cwiseProduct(d.cwiseAbs2()).norm();
 }
 
-double largest_bending(const Structure& structure) {
-  double largest = 0;
-  for (const auto& rod : structure.rods) largest = std::max(largest, bending(rod));
-  return largest;
-}
-
-double total_length(const Structure& structure) {
-  double length = 0;
-  for (const auto& rod : structure.rods) length += rod.length();
-  return length;
-}
-
 Eigen::VectorXd softest_stiffness(const System& system) {
   return per_unknown(system, [](const der::Rod& rod) {
     const double length = rod.length();
@@ -162,7 +150,8 @@ Eigen::VectorXd edge_stiffness(const System& system) {
   });
 }
 
-double largest_rotation(const System& system, const State& state, const Eigen::VectorXd& step) {
+double largest_rotation(const System& system, const model::State& state,
+                        const Eigen::VectorXd& step) {
   double largest = 0;
   for (int r = 0; r < static_cast<int>(state.size()); ++r) {
     const auto& rod = system.structure().rods[r];
@@ -176,7 +165,7 @@ double largest_rotation(const System& system, const State& state, const Eigen::V
   return largest;
 }
 
-InternalForces predicted_forces(const System& system, const State& state,
+InternalForces predicted_forces(const System& system, const model::State& state,
                                 const Eigen::VectorXd& step) {
   InternalForces forces = system.internal_forces(state);
   for (int r = 0; r < static_cast<int>(state.size()); ++r) {
@@ -194,8 +183,9 @@ InternalForces predicted_forces(const System& system, const State& state,
     const Eigen::Vector3d change =
         springs::span_of({.shares = stencil.shares, .count = stencil.count},
                          [&](int rod, int vertex) { return step_of(system, step, rod, vertex); });
-    const double predicted = forces.tension[static_cast<Eigen::Index>(c)] +
-                             cable.stiffness * span_of(stencil, state).normalized().dot(change);
+    const double predicted =
+        forces.tension[static_cast<Eigen::Index>(c)] +
+        cable.stiffness * model::span_of(stencil, state).normalized().dot(change);
     forces.tension[static_cast<Eigen::Index>(c)] =
         cable.tension_only ? std::max(0.0, predicted) : predicted;
   }

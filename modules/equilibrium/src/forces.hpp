@@ -16,22 +16,18 @@ struct ForceBalance {
   Eigen::VectorXd gradient;
   double residual = 0.0;
 };
-ForceBalance force_balance(const System& system, const State& state);
+ForceBalance force_balance(const System& system, const model::State& state);
 
 // Whether, on every rod, the gradient is no larger than what rounding of the vertices' coordinates
 // does to it: eps |x| times EA / l per edge, 8 EI / l^3 per bend, k per cable.
-bool is_rounding(const System& system, const State& state, const Eigen::VectorXd& gradient);
+bool is_rounding(const System& system, const model::State& state, const Eigen::VectorXd& gradient);
 
 // What the same rounding does to the energy: it moves edges and bends against the forces and
 // moments that they carry.
-double energy_rounding(const System& system, const State& state);
+double energy_rounding(const System& system, const model::State& state);
 
 // What rounding of the entries of H, of this diagonal, can do to d^T H d.
 double curvature_rounding(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& d);
-
-// The largest EI of all rods, and their length altogether.
-double largest_bending(const Structure& structure);
-double total_length(const Structure& structure);
 
 // Per free unknown, the order of its stiffness in the softest bending mode of its rod: EI / L^3 for
 // coordinates, EI / L for twist; 0 for twisting moments.
@@ -41,6 +37,7 @@ Eigen::VectorXd softest_stiffness(const System& system);
 Eigen::VectorXd edge_stiffness(const System& system);
 
 // Largest change of an edge under a step, relative to its length.
-double largest_rotation(const System& system, const State& state, const Eigen::VectorXd& step);
+double largest_rotation(const System& system, const model::State& state,
+                        const Eigen::VectorXd& step);
 
 }  // namespace tencer::equilibrium

@@ -36,18 +36,18 @@ struct Frame {
   }
 };
 
-Frame frame_of(const System& system, const State& state, int group) {
+Frame frame_of(const System& system, const model::State& state, int component) {
   Frame frame;
   int count = 0;
   for (std::size_t r = 0; r < state.size(); ++r)
-    if (system.group_of_rod()[r] == group) {
+    if (system.component_of_rod()[r] == component) {
       frame.centre += state[r].x.rowwise().sum();
       count += static_cast<int>(state[r].x.cols());
     }
   frame.centre /= count;
   double squared = 0;
   for (std::size_t r = 0; r < state.size(); ++r)
-    if (system.group_of_rod()[r] == group)
+    if (system.component_of_rod()[r] == component)
       squared += (state[r].x.colwise() - frame.centre).squaredNorm();
   frame.radius = std::sqrt(squared / count);
   return frame;
@@ -64,14 +64,14 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& rows) {
   return svd.matrixV().rightCols(6 - rank);
 }
 
-// The rigid motions that the supports and loads of a group allow, 6 x k.
-Eigen::MatrixXd allowed_motions(const System& system, const State& state, int group,
+// The rigid motions that the supports and loads of a component allow, 6 x k.
+Eigen::MatrixXd allowed_motions(const System& system, const model::State& state, int component,
                                 const Frame& frame) {
-  const Structure& structure = system.structure();
+  const model::Structure& structure = system.structure();
   std::vector<Eigen::Matrix<double, 1, 6>> rows;
-  const auto in_group = [&](int rod) { return system.group_of_rod()[rod] == group; };
-  for (const Pin& pin : structure.pins)
-    if (in_group(pin.rod))
+  const auto in_component = [&](int rod) { return system.component_of_rod()[rod] == component; };
+  for (const model::Pin& pin : structure.pins)
+    if (in_component(pin.rod))
       for (int axis = 0; axis < 3; ++axis)
         if (pin.axes[axis])
           rows.push_back(frame.velocity(state[pin.rod].x.col(pin.vertex)).row(axis));
@@ -80,28 +80,29 @@ Eigen::MatrixXd allowed_motions(const System& system, const State& state, int gr
     const auto* b = std::get_if<springs::AtAnchor>(&cable.b);
     if (!a && !b) continue;
     const int rod = std::get<springs::OnRod>(a ? cable.b : cable.a).rod;
-    if (!in_group(rod)) continue;
+    if (!in_component(rod)) continue;
     const auto velocity = frame.velocity(structure.anchors.col(a ? a->anchor : b->anchor));
     for (int axis = 0; axis < 3; ++axis) rows.push_back(velocity.row(axis));
   }
   for (std::size_t r = 0; r < state.size(); ++r) {
     const auto& rod = structure.rods[r];
-    if (!in_group(static_cast<int>(r)) || state[r].theta.size() == 0) continue;
+    if (!in_component(static_cast<int>(r)) || state[r].theta.size() == 0) continue;
     if (rod.clamp_start_frame) rows.push_back(frame.spin(state[r].frames.tangent.col(0)));
     if (rod.clamp_end_frame)
       rows.push_back(frame.spin(state[r].frames.tangent.col(rod.edges() - 1)));
   }
   // Turned by w, a force f on the rods no longer balances what does not turn with them: w x f = 0.
   const auto add_load = [&](int rod, const Eigen::Vector3d& force) {
-    if (!in_group(rod) || force.isZero(0)) return;
+    if (!in_component(rod) || force.isZero(0)) return;
     const Eigen::Matrix3d turned = cross_with(force.normalized());
     for (int axis = 0; axis < 3; ++axis) {
       auto& row = rows.emplace_back(Eigen::Matrix<double, 1, 6>::Zero());
       row.tail<3>() = turned.row(axis);
     }
   };
-  for (const LineLoad& load : structure.line_loads) add_load(load.rod, load.force_per_length);
-  for (const PointLoad& load : structure.point_loads) add_load(load.rod, load.force);
+  for (const model::LineLoad& load : structure.line_loads)
+    add_load(load.rod, load.force_per_length);
+  for (const model::PointLoad& load : structure.point_loads) add_load(load.rod, load.force);
   if (structure.planar)
     for (int held : {2, 3, 4}) rows.push_back(Eigen::Matrix<double, 1, 6>::Unit(held));
   Eigen::MatrixXd stacked(static_cast<Eigen::Index>(rows.size()), 6);
@@ -109,12 +110,12 @@ Eigen::MatrixXd allowed_motions(const System& system, const State& state, int gr
   return null_space(stacked);
 }
 
-// The displacement of every free unknown of the group under the motions (6 x k).
-Eigen::MatrixXd displacements(const System& system, const State& state, int group,
+// The displacement of every free unknown of the component under the motions (6 x k).
+Eigen::MatrixXd displacements(const System& system, const model::State& state, int component,
                               const Frame& frame, const Eigen::MatrixXd& motions) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(system.size(), motions.cols());
   for (int r = 0; r < static_cast<int>(state.size()); ++r) {
-    if (system.group_of_rod()[r] != group) continue;
+    if (system.component_of_rod()[r] != component) continue;
     const auto& rod_state = state[r];
     for (int v = 0; v < rod_state.x.cols(); ++v) {
       const Eigen::MatrixXd moved = frame.velocity(rod_state.x.col(v)) * motions;
@@ -145,31 +146,31 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double scale) {
 
 }  // namespace
 
-std::vector<RigidModes> rigid_modes(const System& system, const State& state) {
+std::vector<RigidModes> rigid_modes(const System& system, const model::State& state) {
   std::vector<RigidModes> modes;
-  for (std::size_t group = 0; group < system.anchoring_unknowns().size(); ++group) {
-    const int g = static_cast<int>(group);
-    const Frame frame = frame_of(system, state, g);
-    const Eigen::MatrixXd moved =
-        displacements(system, state, g, frame, allowed_motions(system, state, g, frame));
+  const int components = static_cast<int>(system.stabilising_unknowns().size());
+  for (int component = 0; component < components; ++component) {
+    const Frame frame = frame_of(system, state, component);
+    const Eigen::MatrixXd moved = displacements(system, state, component, frame,
+                                                allowed_motions(system, state, component, frame));
     RigidModes& mode = modes.emplace_back();
     // A unit motion moves a vertex by about 1.
     mode.basis = orthonormal(moved, std::sqrt(moved.rows()));
-    const auto& unknowns = system.anchoring_unknowns()[group];
+    const auto& unknowns = system.stabilising_unknowns()[component];
     const double share = static_cast<double>(unknowns.size()) / system.size();
-    mode.anchoring = orthonormal(mode.basis(unknowns, Eigen::all), std::sqrt(share));
+    mode.stabilising = orthonormal(mode.basis(unknowns, Eigen::all), std::sqrt(share));
   }
   return modes;
 }
 
-void anchor(const System& system, const std::vector<RigidModes>& modes,
-            linalg::SymmetricMatrix& matrix) {
+void stabilise(const System& system, const std::vector<RigidModes>& modes,
+               linalg::SymmetricMatrix& matrix) {
   const Eigen::VectorXd root = edge_stiffness(system).cwiseSqrt();
   for (std::size_t g = 0; g < modes.size(); ++g) {
-    if (modes[g].anchoring.cols() == 0) continue;
-    const Eigen::VectorXd scale = root(system.anchoring_unknowns()[g]);
-    const Eigen::MatrixXd scaled = scale.asDiagonal() * modes[g].anchoring;
-    system.add_anchoring(static_cast<int>(g), scaled * scaled.transpose(), matrix);
+    if (modes[g].stabilising.cols() == 0) continue;
+    const Eigen::VectorXd scale = root(system.stabilising_unknowns()[g]);
+    const Eigen::MatrixXd scaled = scale.asDiagonal() * modes[g].stabilising;
+    system.add_stabilising(static_cast<int>(g), scaled * scaled.transpose(), matrix);
   }
 }
 
@@ -186,7 +187,7 @@ void remove_rigid(const std::vector<RigidModes>& modes, Eigen::Ref<Eigen::Vector
   for (const auto& mode : modes) v -= mode.basis * (mode.basis.transpose() * v);
 }
 
-int free_groups(const std::vector<RigidModes>& modes) {
+int floating_components(const std::vector<RigidModes>& modes) {
   return static_cast<int>(
       std::ranges::count_if(modes, [](const auto& mode) { return mode.basis.cols() > 0; }));
 }

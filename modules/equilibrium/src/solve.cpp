@@ -23,11 +23,11 @@ bool same_pattern(const linalg::SymmetricMatrix& a, const linalg::SymmetricMatri
 }
 
 // Fills at.matrix with the Hessian, with these forces in its geometric part, and anchors it.
-void fill(const System& system, const State& state, const InternalForces& forces,
+void fill(const System& system, const model::State& state, const InternalForces& forces,
           Linearisation& at) {
   if (!same_pattern(at.matrix, system.pattern())) at.matrix = system.pattern();
   system.hessian(state, forces, at.matrix);
-  anchor(system, at.rigid, at.matrix);
+  stabilise(system, at.rigid, at.matrix);
 }
 
 void add_diagonal(const Eigen::VectorXd& values, linalg::SymmetricMatrix& matrix) {
@@ -40,18 +40,18 @@ class Newton {
   Newton(const System& system, const SolveOptions& options, Linearisation& at, Equilibrium& result)
       : system_(system), options_(options), at_(at), result_(result) {}
 
-  void run(State start);
+  void run(model::State start);
 
  private:
   struct Point {
-    State state;
+    model::State state;
     double energy = 0.0;
     double residual = std::numeric_limits<double>::infinity();  // also where the energy is infinite
     Eigen::VectorXd gradient{};
     InternalForces forces{};  // for the geometric stiffness: predicted by the step that led here
   };
 
-  Point evaluate(State state);
+  Point evaluate(model::State state);
   Point step_from(const Point& from, const Eigen::VectorXd& step);
   void factorise_positive(const Point& at);
   bool line_search(const Point& from, const Eigen::VectorXd& step, double slope, Point& result);
@@ -79,7 +79,7 @@ class Newton {
   double last_turn_ = std::numeric_limits<double>::infinity();
 };
 
-Newton::Point Newton::evaluate(State state) {
+Newton::Point Newton::evaluate(model::State state) {
   ++result_.evaluations;
   Point point{.state = std::move(state)};
   point.energy = system_.energy(point.state);
@@ -229,7 +229,7 @@ void Newton::finish(Point&& point, Reason reason) {
   result_.reason = reason;
 }
 
-void Newton::run(State start) {
+void Newton::run(model::State start) {
   Point now = evaluate(std::move(start));
   if (!std::isfinite(now.energy)) return finish(std::move(now), Reason::not_finite);
   if (system_.load_gradient().size() > 0 && !holds_loads(system_, rigid_modes(system_, now.state)))
@@ -263,7 +263,7 @@ void Newton::run(State start) {
     const double turn = largest_rotation(system_, now.state, step);
     const double length = std::min(1.0, options_.max_rotation / turn);
     turned += length * turn;
-    if (turned > options_.farthest) return finish(std::move(now), Reason::strayed);
+    if (turned > options_.max_path_rotation) return finish(std::move(now), Reason::path_limit);
     step *= length;
     const double now_residual = now.residual;
     Point next = step_from(now, step);
@@ -288,7 +288,7 @@ void Newton::run(State start) {
   }
 }
 
-bool fits(const InternalForces& forces, const Structure& structure) {
+bool fits(const InternalForces& forces, const model::Structure& structure) {
   return std::ranges::equal(forces.axial, structure.rods, {}, &Eigen::VectorXd::size,
                             &der::Rod::edges) &&
          forces.tension.size() == static_cast<Eigen::Index>(structure.cables.size());
@@ -302,13 +302,13 @@ Eigen::MatrixXd Linearisation::solve(const Eigen::MatrixXd& b) const {
   return x;
 }
 
-void linearise(const System& system, const State& state, Linearisation& at) {
+void linearise(const System& system, const model::State& state, Linearisation& at) {
   at.rigid = rigid_modes(system, state);
   fill(system, state, system.internal_forces(state), at);
   check(system, at, at.factor.factorise(at.matrix));
 }
 
-Equilibrium solve(const System& system, State start, const SolveOptions& options,
+Equilibrium solve(const System& system, model::State start, const SolveOptions& options,
                   Linearisation& workspace) {
   core::require(!options.forces || fits(*options.forces, system.structure()),
                 "SolveOptions::forces: needs those of every edge and cable");
@@ -317,7 +317,7 @@ Equilibrium solve(const System& system, State start, const SolveOptions& options
   return result;
 }
 
-Equilibrium solve(const System& system, State start, const SolveOptions& options) {
+Equilibrium solve(const System& system, model::State start, const SolveOptions& options) {
   Linearisation workspace;
   return solve(system, std::move(start), options, workspace);
 }
@@ -338,7 +338,7 @@ std::string describe(Reason reason) {
       return "forces balance as far as rounding allows, but it leaves the shape uncertain";
     case Reason::iteration_limit:
       return "the iteration limit was reached";
-    case Reason::strayed:
+    case Reason::path_limit:
       return "the way from the start became longer than was allowed";
     case Reason::no_descent:
       return "no step lowers the energy, although forces are not in balance";
@@ -353,7 +353,7 @@ std::string describe(Reason reason) {
   return {};
 }
 
-double residual(const System& system, const State& state) {
+double residual(const System& system, const model::State& state) {
   return force_balance(system, state).residual;
 }
 

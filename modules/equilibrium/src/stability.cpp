@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tencer/core/error.hpp>
+#include <tencer/equilibrium/modal.hpp>
 #include <tencer/equilibrium/stability.hpp>
 #include <tencer/linalg/lowest_eigenpairs.hpp>
 #include <tencer/springs/law.hpp>
@@ -13,28 +14,14 @@
 namespace tencer::equilibrium {
 namespace {
 
-// Half the rest length of the edges at a vertex, for its free coordinates; zero for twist.
-Eigen::VectorXd lumped_lengths(const System& system) {
-  Eigen::VectorXd mass = Eigen::VectorXd::Zero(system.size());
-  for (int r = 0; r < static_cast<int>(system.structure().rods.size()); ++r) {
-    const auto& rod = system.structure().rods[r];
-    for (int j = 0; j < rod.edges(); ++j)
-      for (int vertex : {j, (j + 1) % rod.vertices()})
-        for (int axis = 0; axis < 3; ++axis)
-          if (const int at = system.position_index(r, vertex, axis); at >= 0)
-            mass[at] += rod.rest_lengths[j] / 2;
-  }
-  return mass;
-}
-
 // Lanczos on the inverse of H + shift M, restricted to the null space of the constraints' columns
 // (size x m) and of rigid motion; shift makes H positive definite there.
 class Spectrum {
  public:
-  Spectrum(const System& system, const State& state, Eigen::MatrixXd constraints)
+  Spectrum(const System& system, const model::State& state, Eigen::MatrixXd constraints)
       : system_(system),
         constraints_(std::move(constraints)),
-        root_mass_(lumped_lengths(system).cwiseSqrt()) {
+        root_mass_(lumped_mass(system).cwiseSqrt()) {
     at_.rigid = rigid_modes(system, state);
     at_.matrix = system.pattern();
     system.hessian(state, system.internal_forces(state), at_.matrix);
@@ -56,7 +43,7 @@ class Spectrum {
 
   // How far the Newton step that balances `gradient` turns an edge; after run() found no negative
   // eigenvalue.
-  double turn(const State& state, const Eigen::VectorXd& gradient) const {
+  double turn(const model::State& state, const Eigen::VectorXd& gradient) const {
     Eigen::VectorXd step = at_.factor.solve(gradient);
     if (constraints_.cols() > 0)
       step -= compliance_columns_ * (stiffness_ * (constraints_.transpose() * step));
@@ -66,13 +53,12 @@ class Spectrum {
 
   Stability run() {
     Stability result;
-    const int groups = free_groups(at_.rigid);
-    result.loose_groups = groups > 1 ? groups : 0;
+    const int floating = floating_components(at_.rigid);
+    result.floating_components = floating > 1 ? floating : 0;
     double shift = 0;
     if (!factorise(0)) return result;
     result.negative = negative_;
-    const double length = total_length(system_.structure());
-    const double unit = largest_bending(system_.structure()) / (length * length * length * length);
+    const double unit = eigenvalue_unit(system_.structure());
     for (shift = unit; negative_ > 0; shift *= 10)
       if (!factorise(shift) || !std::isfinite(shift)) return result;
     result.computed = lowest(result);
@@ -85,13 +71,13 @@ class Spectrum {
     shift_ = shift;
     linalg::SymmetricMatrix shifted = at_.matrix;
     if (shift == 0) {
-      anchor(system_, at_.rigid, shifted);
+      stabilise(system_, at_.rigid, shifted);
     } else {
       for (int i = 0; i < shifted.cols(); ++i)
         shifted.coeffRef(i, i) += shift * root_mass_[i] * root_mass_[i];
       // Nothing that has mass feels where the angle is held, so this is exact.
       if (spins_)
-        for (const auto& unknowns : system_.anchoring_unknowns())
+        for (const auto& unknowns : system_.stabilising_unknowns())
           for (const int i : unknowns)
             if (root_mass_[i] == 0) shifted.coeffRef(i, i) *= 2;
     }
@@ -135,8 +121,7 @@ class Spectrum {
     for (int i = 0; i < n; ++i)
       result.mode[i] = root_mass_[i] > 0 ? result.mode[i] / root_mass_[i] : 0;
     result.mode /= result.mode.cwiseAbs().maxCoeff();
-    const double length = total_length(system_.structure());
-    const double unit = largest_bending(system_.structure()) / (length * length * length * length);
+    const double unit = eigenvalue_unit(system_.structure());
     result.smallest_eigenvalue = (pairs.values[0] - shift_) / unit;
     const double mass = root_mass_.cwiseProduct(result.mode).squaredNorm();
     result.rounding = curvature_rounding(diagonal_, result.mode) / mass / unit;
@@ -158,11 +143,11 @@ class Spectrum {
 
 }  // namespace
 
-Stability stability(const System& system, const State& state) {
+Stability stability(const System& system, const model::State& state) {
   return Spectrum(system, state, Eigen::MatrixXd(system.size(), 0)).run();
 }
 
-BalancedStability balanced_stability(const Structure& structure, const State& state,
+BalancedStability balanced_stability(const model::Structure& structure, const model::State& state,
                                      const Eigen::VectorXd& tensions, const std::vector<int>& taut,
                                      const Eigen::VectorXd& gradient) {
   core::require(tensions.size() == static_cast<Eigen::Index>(structure.cables.size()),
@@ -170,11 +155,11 @@ BalancedStability balanced_stability(const Structure& structure, const State& st
   // The taut cables as stiff springs of the same tension: on motions that keep their lengths this
   // changes nothing, and off them it makes the matrix regular.
   constexpr double rho = 0.99;
-  Structure springs = structure;
+  model::Structure springs = structure;
   springs.cables.clear();
   const System lengths(structure);
   for (int c : taut) {
-    const double length = span_of(lengths.stencils()[c], state).norm();
+    const double length = model::span_of(lengths.stencils()[c], state).norm();
     springs::Cable cable = structure.cables[c];
     cable.rest_length = rho * length;
     cable.stiffness = tensions[c] / (length * (1 - rho));
@@ -186,13 +171,10 @@ BalancedStability balanced_stability(const Structure& structure, const State& st
       Eigen::MatrixXd::Zero(system.size(), static_cast<Eigen::Index>(taut.size()));
   for (std::size_t c = 0; c < taut.size(); ++c) {
     const auto& stencil = system.stencils()[c];
-    const Eigen::Vector3d t = span_of(stencil, state).normalized();
-    for (int i = 0; i < stencil.count; ++i)
-      for (int axis = 0; axis < 3; ++axis)
-        if (const int at =
-                system.position_index(stencil.shares[i].rod, stencil.shares[i].vertex, axis);
-            at >= 0)
-          constraints(at, static_cast<Eigen::Index>(c)) += stencil.shares[i].weight * t[axis];
+    const Eigen::Vector3d t = model::span_of(stencil, state).normalized();
+    system.for_each_unknown(stencil, [&](int at, int axis, double weight) {
+      constraints(at, static_cast<Eigen::Index>(c)) += weight * t[axis];
+    });
   }
   Spectrum spectrum(system, state, std::move(constraints));
   BalancedStability result{.stability = spectrum.run()};
@@ -200,7 +182,7 @@ BalancedStability balanced_stability(const Structure& structure, const State& st
   return result;
 }
 
-Stability stability_inextensible(const Structure& structure, const State& state,
+Stability stability_inextensible(const model::Structure& structure, const model::State& state,
                                  const Eigen::VectorXd& tensions, const std::vector<int>& taut) {
   return balanced_stability(structure, state, tensions, taut,
                             Eigen::VectorXd::Zero(System(structure).size()))

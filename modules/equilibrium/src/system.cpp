@@ -8,7 +8,7 @@ namespace tencer::equilibrium {
 namespace {
 
 // Marks the held unknowns of every rod and numbers the others.
-std::vector<std::vector<int>> number_unknowns(const Structure& structure, int& size) {
+std::vector<std::vector<int>> number_unknowns(const model::Structure& structure, int& size) {
   std::vector<std::vector<int>> index;
   for (const auto& rod : structure.rods) {
     auto& held = index.emplace_back(der::unknowns(rod), 0);
@@ -19,7 +19,7 @@ std::vector<std::vector<int>> number_unknowns(const Structure& structure, int& s
     if (rod.clamp_end_frame && static_cast<int>(held.size()) > theta)
       held[theta + rod.edges() - 1] = -1;
   }
-  for (const Pin& pin : structure.pins)
+  for (const model::Pin& pin : structure.pins)
     for (int axis = 0; axis < 3; ++axis)
       if (pin.axes[axis]) index[pin.rod][3 * pin.vertex + axis] = -1;
   size = 0;
@@ -31,7 +31,7 @@ std::vector<std::vector<int>> number_unknowns(const Structure& structure, int& s
 
 // Loads as forces on vertices: half of each edge's share, and the shares of the ends of the edge
 // that a point is on.
-std::vector<Eigen::Matrix3Xd> vertex_loads(const Structure& structure,
+std::vector<Eigen::Matrix3Xd> vertex_loads(const model::Structure& structure,
                                            const std::vector<geometry::ArcLength>& arc_lengths) {
   std::vector<Eigen::Matrix3Xd> loads;
   if (structure.point_loads.empty() && structure.line_loads.empty()) return loads;
@@ -40,10 +40,10 @@ std::vector<Eigen::Matrix3Xd> vertex_loads(const Structure& structure,
     loads[rod].col(edge) += (1 - t) * force;
     loads[rod].col((edge + 1) % structure.rods[rod].vertices()) += t * force;
   };
-  for (const LineLoad& load : structure.line_loads)
+  for (const model::LineLoad& load : structure.line_loads)
     for (int j = 0; j < structure.rods[load.rod].edges(); ++j)
       add(load.rod, j, 0.5, structure.rods[load.rod].rest_lengths[j] * load.force_per_length);
-  for (const PointLoad& load : structure.point_loads) {
+  for (const model::PointLoad& load : structure.point_loads) {
     const auto at = arc_lengths[load.rod].locate(load.s);
     add(load.rod, at.edge, at.t, load.force);
   }
@@ -69,7 +69,7 @@ bool same_vertices(const springs::Stencil& a, const springs::Stencil& b) {
 
 }  // namespace
 
-System::System(Structure structure, geometry::Side side)
+System::System(model::Structure structure, geometry::Side side)
     : structure_(std::move(structure)), side_(side) {
   validate(structure_);
   for (const auto& rod : structure_.rods) arc_lengths_.emplace_back(rod.rest_lengths, rod.closed);
@@ -105,52 +105,52 @@ void System::set_cables(std::vector<springs::Cable> cables) {
 }
 
 void System::lay_out() {
-  group_of_rod_ = groups(structure_);
-  const int group_count = 1 + *std::ranges::max_element(group_of_rod_);
-  std::vector<int> longest(group_count, -1);
+  component_of_rod_ = model::components(structure_);
+  const int component_count = 1 + *std::ranges::max_element(component_of_rod_);
+  std::vector<int> longest(component_count, -1);
   for (int r = 0; r < static_cast<int>(structure_.rods.size()); ++r) {
-    int& best = longest[group_of_rod_[r]];
+    int& best = longest[component_of_rod_[r]];
     if (best < 0 || structure_.rods[r].length() > structure_.rods[best].length()) best = r;
   }
   // The others count when the longest is straight and does not show a turn about itself.
-  anchoring_unknowns_.assign(group_count, {});
+  stabilising_unknowns_.assign(component_count, {});
   for (int rod = 0; rod < static_cast<int>(structure_.rods.size()); ++rod) {
-    const int group = group_of_rod_[rod];
+    const int component = component_of_rod_[rod];
     const int n = structure_.rods[rod].vertices();
     const int gaps = structure_.rods[rod].closed ? 4 : 3;
     int last = -1;
-    for (int k = 0; k < 4; k += rod == longest[group] ? 1 : 2) {
+    for (int k = 0; k < 4; k += rod == longest[component] ? 1 : 2) {
       const int vertex = std::min(n - 1, k * n / gaps);
       if (vertex == last) continue;
       last = vertex;
       for (int axis = 0; axis < 3; ++axis)
         if (position_index(rod, vertex, axis) >= 0)
-          anchoring_unknowns_[group].push_back(position_index(rod, vertex, axis));
+          stabilising_unknowns_[component].push_back(position_index(rod, vertex, axis));
     }
     // A straight rod with frames turns about itself without moving a vertex.
-    if (rod == longest[group] &&
+    if (rod == longest[component] &&
         der::twist_model(structure_.rods[rod]) == der::TwistModel::per_edge)
       if (const int theta = index(rod, 3 * n + structure_.rods[rod].edges() / 2); theta >= 0)
-        anchoring_unknowns_[group].push_back(theta);
+        stabilising_unknowns_[component].push_back(theta);
   }
 
   std::vector<std::vector<int>> elements = rod_elements_;
   for (const auto& stencil : stencils_) elements.push_back(stencil_unknowns(stencil, index_));
-  elements.insert(elements.end(), anchoring_unknowns_.begin(), anchoring_unknowns_.end());
+  elements.insert(elements.end(), stabilising_unknowns_.begin(), stabilising_unknowns_.end());
   assembler_ = std::make_unique<linalg::SymmetricAssembler>(size_, elements);
 }
 
-double System::energy(const State& state) const {
+double System::energy(const model::State& state) const {
   double sum = 0;
   for (std::size_t r = 0; r < state.size(); ++r) sum += der::energy(structure_.rods[r], state[r]);
   for (std::size_t c = 0; c < stencils_.size(); ++c)
-    sum += springs::energy(structure_.cables[c], span_of(stencils_[c], state).norm());
+    sum += springs::energy(structure_.cables[c], model::span_of(stencils_[c], state).norm());
   for (std::size_t r = 0; r < vertex_loads_.size(); ++r)
     sum -= vertex_loads_[r].cwiseProduct(state[r].x).sum();
   return sum;
 }
 
-Eigen::VectorXd System::rod_gradient(const State& state) const {
+Eigen::VectorXd System::rod_gradient(const model::State& state) const {
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(size_);
   Eigen::VectorXd local;
   for (std::size_t r = 0; r < state.size(); ++r) {
@@ -163,36 +163,34 @@ Eigen::VectorXd System::rod_gradient(const State& state) const {
   return gradient;
 }
 
-Eigen::VectorXd System::gradient(const State& state) const {
+Eigen::VectorXd System::gradient(const model::State& state) const {
   Eigen::VectorXd gradient = rod_gradient(state);
   add_cable_gradient(state, gradient);
   return gradient;
 }
 
-void System::add_cable_gradient(const State& state, Eigen::VectorXd& gradient) const {
+void System::add_cable_gradient(const model::State& state, Eigen::VectorXd& gradient) const {
   for (std::size_t c = 0; c < stencils_.size(); ++c) {
     const auto& stencil = stencils_[c];
-    const Eigen::Vector3d force = springs::force(structure_.cables[c], span_of(stencil, state));
-    for (int i = 0; i < stencil.count; ++i)
-      for (int axis = 0; axis < 3; ++axis) {
-        const int at = position_index(stencil.shares[i].rod, stencil.shares[i].vertex, axis);
-        if (at >= 0) gradient[at] += stencil.shares[i].weight * force[axis];
-      }
+    const Eigen::Vector3d force =
+        springs::force(structure_.cables[c], model::span_of(stencil, state));
+    for_each_unknown(
+        stencil, [&](int at, int axis, double weight) { gradient[at] += weight * force[axis]; });
   }
 }
 
-InternalForces System::internal_forces(const State& state) const {
+InternalForces System::internal_forces(const model::State& state) const {
   InternalForces forces;
   for (std::size_t r = 0; r < state.size(); ++r)
     forces.axial.push_back(der::axial_forces(structure_.rods[r], state[r].x));
   forces.tension.resize(static_cast<Eigen::Index>(stencils_.size()));
   for (std::size_t c = 0; c < stencils_.size(); ++c)
     forces.tension[static_cast<Eigen::Index>(c)] =
-        springs::tension(structure_.cables[c], span_of(stencils_[c], state).norm());
+        springs::tension(structure_.cables[c], model::span_of(stencils_[c], state).norm());
   return forces;
 }
 
-void System::hessian(const State& state, const InternalForces& forces,
+void System::hessian(const model::State& state, const InternalForces& forces,
                      linalg::SymmetricMatrix& matrix) const {
   Eigen::Map<Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros()).setZero();
   int first = 0;
@@ -209,7 +207,7 @@ void System::hessian(const State& state, const InternalForces& forces,
   for (std::size_t c = 0; c < stencils_.size(); ++c) {
     const auto& stencil = stencils_[c];
     const Eigen::Matrix3d stiffness =
-        springs::stiffness_matrix(structure_.cables[c], span_of(stencil, state),
+        springs::stiffness_matrix(structure_.cables[c], model::span_of(stencil, state),
                                   forces.tension[static_cast<Eigen::Index>(c)]);
     block.resize(3 * stencil.count, 3 * stencil.count);
     for (int i = 0; i < stencil.count; ++i)
@@ -220,13 +218,13 @@ void System::hessian(const State& state, const InternalForces& forces,
   }
 }
 
-void System::add_anchoring(int group, const Eigen::MatrixXd& anchoring,
-                           linalg::SymmetricMatrix& matrix) const {
+void System::add_stabilising(int component, const Eigen::MatrixXd& stabilising,
+                             linalg::SymmetricMatrix& matrix) const {
   const int first = static_cast<int>(rod_elements_.size() + stencils_.size());
-  assembler_->add(first + group, anchoring.data(), matrix);
+  assembler_->add(first + component, stabilising.data(), matrix);
 }
 
-void System::displace(State& state, const Eigen::VectorXd& step) const {
+void System::displace(model::State& state, const Eigen::VectorXd& step) const {
   Eigen::VectorXd local;
   for (std::size_t r = 0; r < state.size(); ++r) {
     local.resize(static_cast<Eigen::Index>(index_[r].size()));
@@ -236,8 +234,8 @@ void System::displace(State& state, const Eigen::VectorXd& step) const {
   }
 }
 
-State System::displaced(const State& state, const Eigen::VectorXd& step) const {
-  State result = state;
+model::State System::displaced(const model::State& state, const Eigen::VectorXd& step) const {
+  model::State result = state;
   displace(result, step);
   return result;
 }

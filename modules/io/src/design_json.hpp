@@ -8,9 +8,11 @@
 
 namespace tencer::io {
 
-// Throws BadInput for everything design.hpp says is checked.
-Design design_from_json(const JsonValue& root);
+inline constexpr const char* design_schema = "tencer-design/1";
 
-nlohmann::ordered_json design_to_json(const Design& design);
+// Throws BadInput for everything design.hpp says is checked.
+model::Design design_from_json(const JsonValue& root);
+
+nlohmann::ordered_json design_to_json(const model::Design& design);
 
 }  // namespace tencer::io

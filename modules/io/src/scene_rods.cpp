@@ -7,12 +7,12 @@
 #include <tencer/geometry/sampling.hpp>
 #include <tencer/geometry/spline.hpp>
 #include <tencer/io/curve.hpp>
+#include <tencer/model/rest_shape.hpp>
 #include <utility>
 
 #include "bad_input.hpp"
 #include "finish_curve.hpp"
 #include "scene_section.hpp"
-#include "scene_targets.hpp"
 #include "text.hpp"
 
 namespace tencer::io {
@@ -103,8 +103,8 @@ Eigen::Vector3d direction(const TomlTable& table, std::string_view key) {
   return vector;
 }
 
-RestShape read_rest(const TomlTable& rest, const std::filesystem::path& folder) {
-  RestShape shape;
+model::RestShape read_rest(const TomlTable& rest, const std::filesystem::path& folder) {
+  model::RestShape shape;
   if (rest.has("curvature")) {
     rest.only({"curvature"});
     shape.curvature = *rest.number("curvature");
@@ -121,8 +121,17 @@ RestShape read_rest(const TomlTable& rest, const std::filesystem::path& folder) 
   return shape;
 }
 
+// What a [[rod]] table says of each of its rods.
+struct ListedRod {
+  Polyline target;
+  model::RestShape rest{};
+  std::optional<Eigen::Vector3d> director{};
+  std::optional<double> closing_angle{};
+  SectionWish section{};
+};
+
 // Between one vertex and the next a rod bends by an angle, not by turns.
-void check_rest_curvature(const TomlTable& table, const SceneRod& rod) {
+void check_rest_curvature(const TomlTable& table, const ListedRod& rod) {
   const double bend = std::abs(rod.rest.curvature) * geometry::edge_lengths(rod.target).maxCoeff();
   if (bend > 1)
     table.fail("rest", "with this curvature the rod bends by " + to_text(bend) +
@@ -131,7 +140,7 @@ void check_rest_curvature(const TomlTable& table, const SceneRod& rod) {
 }
 
 // What a rest curve must have in common with the target.
-void check_rest_curve(const TomlTable& table, const SceneRod& rod) {
+void check_rest_curve(const TomlTable& table, const ListedRod& rod) {
   constexpr double allowed = 0.01;
   const Polyline& curve = *rod.rest.curve;
   if (curve.closed != rod.target.closed)
@@ -144,27 +153,27 @@ void check_rest_curve(const TomlTable& table, const SceneRod& rod) {
                            to_text(target) + "; they must agree to 1 %");
 }
 
-struct ListedRod {
-  SceneRod rod;
-  SectionWish section;
-};
+void check_closed(const TomlTable& table, const std::vector<Polyline>& curves) {
+  const auto closed = table.boolean("closed");
+  if (!closed) return;
+  for (const Polyline& curve : curves)
+    if (curve.closed != *closed)
+      table.fail("closed", curve.closed ? "is false, but the curve is closed: its end meets its "
+                                          "start; remove the key or open the curve"
+                                        : "is true, but the curve is open: its last point does "
+                                          "not repeat its first; remove the key or close the "
+                                          "curve");
+}
 
 std::vector<ListedRod> read_rod(const TomlTable& table, const std::filesystem::path& folder) {
   table.only({"curve", "index", "family", "parameters", "spline", "vertices", "closed", "section",
               "director", "rest", "closing_turns"});
   std::vector<Polyline> curves = curves_of(table, folder);
-  if (const auto closed = table.boolean("closed"))
-    for (const Polyline& curve : curves)
-      if (curve.closed != *closed)
-        table.fail("closed", curve.closed ? "is false, but the curve is closed: its end meets its "
-                                            "start; remove the key or open the curve"
-                                          : "is true, but the curve is open: its last point does "
-                                            "not repeat its first; remove the key or close the "
-                                            "curve");
+  check_closed(table, curves);
   const SectionWish section = section_wish(table);
   std::vector<ListedRod> rods;
   for (Polyline& curve : curves) {
-    SceneRod rod = plain_rod(std::move(curve), table.where());
+    ListedRod rod{.target = std::move(curve), .section = section};
     if (table.has("director")) rod.director = direction(table, "director");
     if (const auto rest = table.table("rest")) {
       rod.rest = read_rest(*rest, folder);
@@ -175,14 +184,14 @@ std::vector<ListedRod> read_rod(const TomlTable& table, const std::filesystem::p
       if (!rod.target.closed) table.fail("closing_turns", "belongs to closed rods");
       rod.closing_angle = 2 * std::numbers::pi * *turns;
     }
-    rods.push_back({std::move(rod), section});
+    rods.push_back(std::move(rod));
   }
   return rods;
 }
 
 // Directors are for rods that can tell their axes apart, and bent strips need one.
-void check_directors(const TomlTable& table, const SceneRod& rod) {
-  const bool round = rod.section.EI[0] == rod.section.EI[1];
+void check_directors(const TomlTable& table, const ListedRod& rod, const der::Section& section) {
+  const bool round = section.EI1 == section.EI2;
   const bool straight = !rod.rest.curve && rod.rest.curvature == 0;
   if (rod.director && round && straight)
     table.fail("director",
@@ -194,41 +203,43 @@ void check_directors(const TomlTable& table, const SceneRod& rod) {
                "the start of the curve");
 }
 
-}  // namespace
-
-SceneRod plain_rod(Polyline target, std::string source) {
-  SceneRod rod;
-  rod.weights = Eigen::VectorXd::Ones(target.vertices());
-  rod.target = std::move(target);
-  rod.source = std::move(source);
-  return rod;
+// Adds the rod to the scene, with its weight when there is gravity (m/s^2).
+void add(const ListedRod& listed, double radius, const Eigen::Vector3d& gravity,
+         const TomlTable& table, model::Scene& scene) {
+  const Units units{scene.length_unit, scene.force_unit};
+  model::add_rod(scene, listed.target);
+  der::Rod& rod = scene.structure.rods.back();
+  rod.section = section(listed.section, radius, units);
+  rod.closing_angle = listed.closing_angle;
+  model::set_rest_shape(listed.rest, rod);
+  scene.directors.back() = listed.director;
+  check_directors(table, listed, rod.section);
+  if (gravity.isZero(0)) return;
+  if (!listed.section.density)
+    fail(table.where(), listed.section.shape == SectionShape::stiffnesses
+                            ? "gravity needs section.mass_per_length, in kg/m"
+                            : "gravity needs section.density, in kg/m^3");
+  scene.structure.line_loads.push_back(
+      {static_cast<int>(scene.structure.rods.size()) - 1,
+       weight_per_length(listed.section, rod.section, gravity, units)});
 }
 
+}  // namespace
+
 void read_rods(const TomlTable& root, const std::filesystem::path& folder,
-               const Eigen::Vector3d& gravity, Scene& scene) {
-  std::vector<SectionWish> wishes;
+               const Eigen::Vector3d& gravity, model::Scene& scene) {
+  std::vector<ListedRod> rods;
   std::vector<TomlTable> tables;
+  std::vector<Polyline> targets;
   for (const TomlTable& table : root.tables("rod"))
     for (ListedRod& listed : read_rod(table, folder)) {
-      scene.rods.push_back(std::move(listed.rod));
-      wishes.push_back(listed.section);
+      targets.push_back(listed.target);
+      rods.push_back(std::move(listed));
       tables.push_back(table);
     }
-  if (scene.rods.empty()) fail(root.where(), "a scene needs at least one [[rod]] table");
-  const double radius = default_radius(scene.rods);
-  const Units units{scene.length_unit, scene.force_unit};
-  for (std::size_t i = 0; i < wishes.size(); ++i) {
-    SceneRod& rod = scene.rods[i];
-    rod.section = section(wishes[i], radius, units);
-    check_directors(tables[i], rod);
-    if (gravity.isZero(0)) continue;
-    if (!wishes[i].density)
-      fail(tables[i].where(), wishes[i].shape == SectionShape::stiffnesses
-                                  ? "gravity needs section.mass_per_length, in kg/m"
-                                  : "gravity needs section.density, in kg/m^3");
-    scene.line_loads.push_back(
-        {static_cast<int>(i), weight_per_length(wishes[i], rod.section, gravity, units)});
-  }
+  if (rods.empty()) fail(root.where(), "a scene needs at least one [[rod]] table");
+  const double radius = model::default_radius(targets);
+  for (std::size_t i = 0; i < rods.size(); ++i) add(rods[i], radius, gravity, tables[i], scene);
 }
 
 }  // namespace tencer::io

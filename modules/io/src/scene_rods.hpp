@@ -11,9 +11,6 @@ namespace tencer::io {
 // Sets the scene's rods, and their weights as line loads when there is gravity (m/s^2). The scene's
 // units are known.
 void read_rods(const TomlTable& root, const std::filesystem::path& folder,
-               const Eigen::Vector3d& gravity, Scene& scene);
-
-// A rod with every default but the section.
-SceneRod plain_rod(geometry::Polyline target, std::string source);
+               const Eigen::Vector3d& gravity, model::Scene& scene);
 
 }  // namespace tencer::io

@@ -3,26 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <tencer/core/error.hpp>
-
-#include "scene_units.hpp"
+#include <tencer/model/scene.hpp>
+#include <tencer/model/units.hpp>
 
 namespace tencer::io {
 namespace {
 
 constexpr std::array<std::string_view, 3> shapes{"circle", "tube", "rectangle"};
 
-double size_of(const auto& names, const auto& sizes, std::string_view unit) {
-  const auto found = std::ranges::find(names, unit);
-  core::require(found != names.end(), "section: unknown unit");
-  return sizes[found - names.begin()];
-}
-
-Section plain(const der::Section& section) {
-  return {section.EA, {section.EI1, section.EI2}, section.GJ};
-}
-
 double modulus(const SectionWish& wish, const Units& units) {
-  return wish.youngs_modulus.value_or(glass_fibre_modulus(units.length, units.force));
+  return wish.youngs_modulus.value_or(model::glass_fibre_modulus(units.length, units.force));
 }
 
 // EI as one number or as [a, b].
@@ -37,9 +27,11 @@ Eigen::Vector2d bending_stiffness(const TomlTable& section) {
 
 SectionWish read_stiffnesses(const TomlTable& section) {
   section.only({"EA", "EI", "GJ", "mass_per_length"});
+  const Eigen::Vector2d bending = bending_stiffness(section);
   return {.shape = SectionShape::stiffnesses,
           .stiffnesses = {.EA = section.need("EA", section.positive("EA")),
-                          .EI = bending_stiffness(section),
+                          .EI1 = bending[0],
+                          .EI2 = bending[1],
                           .GJ = section.need("GJ", section.positive("GJ"))},
           .density = section.at_least_zero("mass_per_length")};
 }
@@ -78,35 +70,29 @@ SectionWish section_wish(const TomlTable& rod) {
   return wish;
 }
 
-Section section(const SectionWish& wish, double radius, const Units& units) {
+der::Section section(const SectionWish& wish, double radius, const Units& units) {
   switch (wish.shape) {
     case SectionShape::circle:
-      return plain(
-          der::solid_circle(modulus(wish, units), wish.poisson, wish.radius.value_or(radius)));
+      return der::solid_circle(modulus(wish, units), wish.poisson, wish.radius.value_or(radius));
     case SectionShape::tube:
-      return plain(der::tube(modulus(wish, units), wish.poisson, wish.first, wish.second));
+      return der::tube(modulus(wish, units), wish.poisson, wish.first, wish.second);
     case SectionShape::rectangle:
-      return plain(der::rectangle(modulus(wish, units), wish.poisson, wish.first, wish.second));
+      return der::rectangle(modulus(wish, units), wish.poisson, wish.first, wish.second);
     case SectionShape::stiffnesses:
       return wish.stiffnesses;
   }
   return {};
 }
 
-Eigen::Vector3d weight_per_length(const SectionWish& wish, const Section& section,
+Eigen::Vector3d weight_per_length(const SectionWish& wish, const der::Section& section,
                                   const Eigen::Vector3d& gravity, const Units& units) {
   core::require(wish.density.has_value(), "weight_per_length: needs a density");
-  const double metre = size_of(length_units, metres, units.length);
-  const double newton = size_of(force_units, newtons, units.force);
+  const double metre = model::metres(units.length);
+  const double newton = model::newtons(units.force);
   double kg_per_m = *wish.density;
   if (wish.shape != SectionShape::stiffnesses)
     kg_per_m *= section.EA / modulus(wish, units) * metre * metre;
   return kg_per_m * gravity * (metre / newton);
-}
-
-double glass_fibre_modulus(const std::string& length_unit, const std::string& force_unit) {
-  const double length = size_of(length_units, metres, length_unit);
-  return 40e9 / size_of(force_units, newtons, force_unit) * (length * length);
 }
 
 }  // namespace tencer::io

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <tencer/der/section.hpp>
-#include <tencer/io/scene.hpp>
 
 #include "toml_value.hpp"
 
@@ -21,7 +20,7 @@ struct SectionWish {
   // second.
   double first = 0.0;
   double second = 0.0;
-  Section stiffnesses{};
+  der::Section stiffnesses{};
   std::optional<double> youngs_modulus = std::nullopt;
   double poisson = 0.3;
   std::optional<double> density = std::nullopt;  // kg/m^3; stiffnesses: kg/m
@@ -35,10 +34,10 @@ struct Units {
 };
 
 // `radius` when the wish is a circle without one.
-Section section(const SectionWish& wish, double radius, const Units& units);
+der::Section section(const SectionWish& wish, double radius, const Units& units);
 
 // The weight per length in the scene's units of a rod under `gravity` (m/s^2). Requires a density.
-Eigen::Vector3d weight_per_length(const SectionWish& wish, const Section& section,
+Eigen::Vector3d weight_per_length(const SectionWish& wish, const der::Section& section,
                                   const Eigen::Vector3d& gravity, const Units& units);
 
 }  // namespace tencer::io

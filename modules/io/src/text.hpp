@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tencer/io/csv.hpp>  // to_text
 #include <vector>
 
 namespace tencer::io {
@@ -15,9 +16,6 @@ inline constexpr double largest_number = 1e100;
 // The whole of the text as a number; also nan and inf, which the caller refuses in its own words.
 std::optional<double> to_number(std::string_view text);
 std::optional<long> to_integer(std::string_view text);
-
-// The shortest text that reads back as the same double.
-std::string to_text(double number);
 
 // 'text'
 std::string quoted(std::string_view text);

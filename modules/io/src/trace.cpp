@@ -13,19 +13,19 @@ std::string percent(double value) { return std::isnan(value) ? "" : to_text(valu
 
 }  // namespace
 
-std::string trace_text(std::span<const TraceRow> rows) {
+std::string trace_text(std::span<const model::StageRow> rows) {
   std::string text =
       "stage,seconds,cables,max_percent,rms_percent,equilibrium_solves,newton_iterations,note\n";
-  for (const TraceRow& row : rows)
+  for (const model::StageRow& row : rows)
     text += csv_line(std::array{row.stage, to_text(row.seconds), std::to_string(row.cables),
                                 percent(row.max_percent), percent(row.rms_percent),
-                                std::to_string(row.equilibrium_solves),
-                                std::to_string(row.newton_iterations), row.note});
+                                std::to_string(row.solves),
+                                std::to_string(row.iterations), row.note});
   return text;
 }
 
 std::optional<core::Error> write_trace(const std::filesystem::path& path,
-                                       std::span<const TraceRow> rows) {
+                                       std::span<const model::StageRow> rows) {
   return write_file(path, trace_text(rows));
 }
 

@@ -1,169 +1,150 @@
 #include <algorithm>
-#include <tencer/equilibrium/built.hpp>
+#include <chrono>
+#include <string>
+#include <tencer/model/frames.hpp>
+#include <tencer/network/settling.hpp>
 #include <tencer/pipeline/design.hpp>
-#include <tencer/pipeline/prepare.hpp>
-#include <tencer/pipeline/simulate.hpp>
+#include <tencer/pipeline/omissions.hpp>
 #include <tencer/pipeline/symmetry.hpp>
+#include <tencer/sensitivity/distance.hpp>
 #include <utility>
 
+#include "methods.hpp"
 #include "record.hpp"
-#include "route.hpp"
 
 namespace tencer::pipeline {
 namespace {
 
-void say(const DesignOptions& options, core::Level level, const std::string& text) {
+using model::Design;
+using network::Network;
+
+void say(const RunOptions& options, core::Level level, const std::string& text) {
   if (options.log) options.log(level, text);
 }
 
-// What is wrong when there are no candidates: the error, with the key without whose rules there
-// would be some.
-std::string why_no_candidates(const io::Scene& scene, const Prepared& prepared,
-                              const core::Error& error) {
-  const auto allowed_but_for = [&](auto&& lift) {
-    sparsify::Rules rules = prepared.rules;
-    lift(rules);
-    return sparsify::candidates(prepared.structure, prepared.target.points, rules).has_value();
-  };
-  using sparsify::Rules;
-  if (allowed_but_for([](Rules& rules) { rules.longest = Rules{}.longest; }))
-    return "design.longest_cable: " + error.message;
-  if (allowed_but_for([](Rules& rules) { rules.pairs.reset(); }))
-    return "design.rod_pairs: " + error.message;
-  if (allowed_but_for([](Rules& rules) { rules.forbidden.clear(); })) {
-    const bool arcs = std::ranges::any_of(
-        scene.rods, [](const io::SceneRod& rod) { return !rod.forbidden_arcs.empty(); });
-    return std::string(arcs ? "design.forbidden_arcs: " : "design.forbidden_vertices: ") +
-           error.message;
-  }
-  if (!error.where.empty()) return error.message;  // vertices coincide
-  return "no cable is possible: the vertices are all neighbours on their rod, or held in place";
-}
-
-core::Expected<CandidateSets> candidate_sets(const io::Scene& scene, const Prepared& prepared) {
-  const auto& points = prepared.target.points;
-  auto with_pins = sparsify::candidates(prepared.structure, points, prepared.rules);
-  if (!with_pins)
-    return core::Error{scene.source, why_no_candidates(scene, prepared, with_pins.error())};
-  if (!scene.design.hand_over) return CandidateSets{std::move(*with_pins), {}};
-  equilibrium::Structure released = prepared.structure;
-  released.pins.clear();
-  auto without_pins = sparsify::candidates(released, points, prepared.rules);
-  if (!without_pins) return core::Error{scene.source, without_pins.error().message};
-  return CandidateSets{std::move(*with_pins), std::move(*without_pins)};
-}
-
-// The design file with its cables; what depends on the equilibrium is missing.
-io::Design file_of(const Prepared& prepared, const sparsify::Network& network) {
-  const Units& units = prepared.units;
-  io::Design design = prepared.file;
-  if (network.structure.pins.empty()) design.pinned.clear();  // they may have been handed over
-  for (const auto& cable : network.structure.cables)
-    design.cables.push_back({.a = file_end(cable.a, network.structure, units),
-                             .b = file_end(cable.b, network.structure, units),
-                             .stiffness = cable.stiffness * units.scale.stiffness(),
-                             .rest_length = cable.rest_length * units.scale.length});
-  return design;
-}
-
-// Settles the built form from the target and compares with the pose that the design claims.
-io::TraceRow check_settling(io::Design& design) {
-  const auto simulation = simulate(design, {.start = Start::target});
-  io::TraceRow row;
-  row.stage = "settle";
-  row.cables = static_cast<int>(design.cables.size());
-  const Simulation& settled = *simulation;
-  row.seconds = settled.seconds;
-  row.max_percent = settled.design.error->max_percent;
-  row.rms_percent = settled.design.error->rms_percent;
-  row.equilibrium_solves = 1;
-  row.newton_iterations = settled.iterations;
-  design.certificate->settles_from_target = settled.usable() && settled.moved_percent <= 0.01;
-  if (!settled.usable())
-    row.note = "with inextensible cables, from the target: " + describe(settled.reason);
-  else if (!*design.certificate->settles_from_target)
-    row.note = "from the target the built form settles elsewhere, " +
-               std::to_string(settled.moved_percent) + " % away from the pose";
-  return row;
-}
-
-// Whether it has few enough cables, or is close enough.
-bool answers(const io::DesignSettings& settings, const io::Design& design) {
-  return settings.cables ? static_cast<int>(design.cables.size()) <= *settings.cables
-                         : design.error->max_percent <= settings.max_error;
-}
-
-// The design of a network: complete unless it falls short of what the settings ask for.
-io::Design certified(const io::DesignSettings& settings, const Prepared& prepared,
-                     const sparsify::Network& network) {
-  io::Design design = file_of(prepared, network);
-  record(network.structure, network.state, sparsify::cable_tensions(network), prepared.target,
-         prepared.units, design);
-  const io::TraceRow row = check_settling(design);
-  design.trace.push_back(row);
-  design.status = answers(settings, design) && design.certificate->stable &&
-                          *design.certificate->settles_from_target
-                      ? io::DesignStatus::complete
-                      : io::DesignStatus::tolerance_not_reached;
-  return design;
-}
-
-void offer_symmetry(const Prepared& prepared, const DesignOptions& options) {
+void suggest_symmetry(const ground_structure::Problem& problem, const RunOptions& options) {
   if (!options.log) return;
-  const std::string found = symmetry_in_words(prepared);
+  const std::string found = symmetry_in_words(problem);
   if (found.empty()) return;
   options.log(core::Level::info, "the target has " + found +
                                      ": with symmetry = \"detect\" in [design], or --symmetry "
                                      "detect, the cables have it too");
 }
 
-// The scene checked and ready, with all that its cables can be chosen from.
-struct Job {
-  const io::Scene& scene;
-  Prepared prepared{};
-  CandidateSets candidates{};
-  optimize::Backend backend{};
-};
-
-core::Expected<Job> begin(const io::Scene& scene, const DesignOptions& options) {
-  const io::DesignSettings& settings = scene.design;
-  auto backend = optimize::find_backend(options.backends, settings.optimizer);
-  if (!backend) return core::Error{scene.source, "design.optimizer: " + backend.error().message};
+core::Expected<Task> begin(const model::Scene& scene, const RunOptions& options) {
+  const model::DesignSettings& settings = scene.design;
+  Task task{.scene = scene};
+  // The steps of force-balance's own are Gauss-Newton's: they need no backend.
+  if (settings.method == model::Method::dense_springs ||
+      settings.optimizer != model::Optimizer::gauss_newton) {
+    auto backend = optimize::find_backend(options.backends, model::name_of(settings.optimizer));
+    if (!backend) return core::Error{scene.source, "design.optimizer: " + backend.error().message};
+    task.backend = std::move(*backend);
+  }
+  if (settings.method == model::Method::force_balance &&
+      settings.hessian == model::SecondDerivatives::exact)
+    return core::Error{scene.source,
+                       "design.hessian: exact second derivatives belong to the method "
+                       "dense-springs; for force-balance use gauss-newton or limited-memory"};
   auto prepared = prepare(scene);
   if (!prepared) return prepared.error();
-  for (const Part& part : prepared->parts)
-    if (!part.used) say(options, core::Level::debug, "no " + part.name + ": " + part.why);
-  auto candidates = candidate_sets(scene, *prepared);
-  if (!candidates) return candidates.error();
-  if (settings.symmetry == "offer" && settings.method == "force-balance")
-    offer_symmetry(*prepared, options);
-  return Job{scene, std::move(*prepared), std::move(*candidates), std::move(*backend)};
+  task.prepared = std::move(*prepared);
+  for (const Feature& feature : features_of(scene, task.prepared))
+    if (!feature.used) say(options, core::Level::debug, "no " + feature.name + ": " + feature.why);
+  if (settings.hand_over) {
+    auto released = without_pins(scene, task.prepared.problem);
+    if (!released) return released.error();
+    task.released = std::move(*released);
+  }
+  if (settings.symmetry == model::SymmetryUse::suggest &&
+      settings.method == model::Method::force_balance)
+    suggest_symmetry(task.prepared.problem, options);
+  return task;
 }
 
-Outcome run(const Job& job, bool every_number, const DesignOptions& options) {
-  return run_route(job.scene.design, job.prepared, job.candidates, job.backend, every_number,
-                   options);
+// The scene's design with the network's cables; what depends on the equilibrium is missing.
+Design design_of(const Task& task, const Network& network) {
+  const model::Scene& scene = task.scene;
+  const model::Scaling& scaling = task.prepared.scaling;
+  Design design{.name = scene.name,
+                .length_unit = scene.length_unit,
+                .force_unit = scene.force_unit,
+                .structure = scene.structure,
+                .target = scene.target.points,
+                .pose = scene.target.points,
+                .goal = goal_of(scene.design)};
+  if (network.structure.pins.empty()) design.structure.pins.clear();  // they may be handed over
+  for (const auto& cable : network.structure.cables)
+    design.structure.cables.push_back(model::unscaled(cable, network.structure, scaling));
+  for (const auto& rod : task.prepared.problem.start)
+    design.target_directors.push_back(model::directors(rod));
+  design.pose_directors = design.target_directors;
+  return design;
+}
+
+Design recorded(const Task& task, const Network& network) {
+  Design design = design_of(task, network);
+  record({.structure = network.structure,
+          .state = network.state,
+          .tensions = cable_tensions(network),
+          .target = task.prepared.problem.target},
+         task.prepared.scaling, design);
+  return design;
+}
+
+// Lets the built network go at the target and compares with the pose that the design claims.
+model::StageRow check_settling(const Task& task, const Network& network, Design& design) {
+  const ground_structure::Problem& problem = task.prepared.problem;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto settling = network::settle(network, problem.start, problem.target);
+  const auto& found = settling.equilibrium;
+  const auto deviation = sensitivity::deviation(
+      model::make_target(network.structure, problem.target.points), found.state);
+  model::StageRow row{
+      .stage = "settle",
+      .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+      .cables = cable_count(network),
+      .max_percent = deviation.max_percent,
+      .rms_percent = deviation.rms_percent,
+      .solves = 1,
+      .iterations = found.iterations};
+  if (!found.usable())
+    row.note = "with inextensible cables, from the target: " + describe(found.reason);
+  else if (!settling.in_pose())
+    row.note = "from the target the built form settles elsewhere, " +
+               std::to_string(settling.moved_percent) + " % away from the pose";
+  design.certificate->settles_from_target = settling.in_pose();
+  return row;
+}
+
+// The design of a network: complete unless it falls short of the goal.
+Design certified(const Task& task, const Network& network) {
+  Design design = recorded(task, network);
+  design.trace.push_back(check_settling(task, network, design));
+  const bool complete = goal_of(task.scene.design).met(score_of(design)) &&
+                        design.certificate->stable && *design.certificate->settles_from_target;
+  design.status =
+      complete ? model::DesignStatus::complete : model::DesignStatus::tolerance_not_reached;
+  return design;
 }
 
 // The networks certified one after the other, from the one asked for on, until one is complete: it
 // is better than one that does not stand or settles elsewhere, unless it is much further from the
 // target. When none is, the one asked for. Its row of the trace comes last.
-io::Design first_complete(const Job& job, const Outcome& outcome, int tries) {
-  const io::DesignSettings& settings = job.scene.design;
-  const int step = settings.cables ? -1 : 1;
-  io::Design best;
-  std::vector<io::TraceRow> checks;
-  int i = outcome.asked;
-  for (int k = 0; k < tries && i >= 0 && i < static_cast<int>(outcome.networks.size());
-       i += step, ++k) {
-    io::Design design = certified(settings, job.prepared, outcome.networks[i]);
-    constexpr double worth = 2;  // times the distance
-    const bool complete = design.status == io::DesignStatus::complete &&
-                          (k == 0 || !settings.cables ||
-                           design.error->max_percent <= worth * best.error->max_percent);
-    if (complete || k == 0) std::swap(best, design);
-    if (!design.trace.empty()) checks.push_back(design.trace.back());
-    if (complete) break;
+Design first_complete(const Task& task, const Outcome& outcome) {
+  constexpr int max_tries = 6;
+  const model::Goal goal = goal_of(task.scene.design);
+  const int step = goal.by_number() ? -1 : 1;
+  const auto count = static_cast<int>(outcome.networks.size());
+  Design best;
+  std::vector<model::StageRow> checks;
+  for (int k = 0, i = outcome.asked; k < max_tries && i >= 0 && i < count; i += step, ++k) {
+    Design next = certified(task, outcome.networks[i]);
+    const bool better =
+        next.complete() && (k == 0 || goal.prefers_settling(score_of(next), score_of(best)));
+    if (k == 0 || better) std::swap(best, next);
+    if (!next.trace.empty()) checks.push_back(next.trace.back());
+    if (better) break;
   }
   checks.push_back(best.trace.back());
   best.trace = outcome.trace;
@@ -173,34 +154,52 @@ io::Design first_complete(const Job& job, const Outcome& outcome, int tries) {
 
 }  // namespace
 
-core::Expected<io::Design> design(const io::Scene& scene, const DesignOptions& options) {
-  const auto job = begin(scene, options);
-  if (!job) return job.error();
-  const Outcome outcome = run(*job, false, options);
-  if (outcome.interrupted) {
-    const auto& asked = outcome.networks[outcome.asked];
-    io::Design design = file_of(job->prepared, asked);
-    record(asked.structure, asked.state, sparsify::cable_tensions(asked), job->prepared.target,
-           job->prepared.units, design);
-    design.trace = outcome.trace;
-    design.status = io::DesignStatus::interrupted;
-    return design;
-  }
-  constexpr int tries = 6;
-  return first_complete(*job, outcome, tries);
+model::Goal goal_of(const model::DesignSettings& settings) {
+  return {.max_error_percent = settings.max_error, .cables = settings.cables.value_or(0)};
 }
 
-core::Expected<std::vector<io::Design>> trade_off(const io::Scene& scene,
-                                                  const DesignOptions& options) {
-  const auto job = begin(scene, options);
-  if (!job) return job.error();
-  const Outcome outcome = run(*job, true, options);
-  std::vector<io::Design> designs;
-  for (const auto& network : outcome.networks) {
-    io::Design design = certified(scene.design, job->prepared, network);
-    design.trace.insert(design.trace.begin(), outcome.trace.begin(), outcome.trace.end());
-    if (outcome.interrupted) design.status = io::DesignStatus::interrupted;
-    designs.push_back(std::move(design));
+const Design& best_for(const model::Goal& goal, std::span<const Design> designs) {
+  // Not by their status, which says of all of them that the run was interrupted when it was.
+  const auto picked = [&](auto&& counts) -> const Design* {
+    std::vector<model::Score> scores;
+    std::vector<const Design*> counted;
+    for (const Design& design : designs)
+      if (counts(design)) {
+        scores.push_back(score_of(design));
+        counted.push_back(&design);
+      }
+    const int at = goal.pick(scores);
+    return at < 0 ? nullptr : counted[at];
+  };
+  const Design* sound = picked([](const Design& design) {
+    return design.certificate->stable && design.certificate->settles_from_target.value_or(false);
+  });
+  if (sound && goal.met(score_of(*sound))) return *sound;
+  return *picked([](const Design&) { return true; });
+}
+
+core::Expected<Design> design(const model::Scene& scene, const RunOptions& options) {
+  const auto task = begin(scene, options);
+  if (!task) return task.error();
+  const Outcome outcome = run_method(*task, false, options);
+  if (!outcome.interrupted) return first_complete(*task, outcome);
+  Design best = recorded(*task, outcome.networks[outcome.asked]);
+  best.trace = outcome.trace;
+  best.status = model::DesignStatus::interrupted;
+  return best;
+}
+
+core::Expected<std::vector<Design>> trade_off(const model::Scene& scene,
+                                              const RunOptions& options) {
+  const auto task = begin(scene, options);
+  if (!task) return task.error();
+  const Outcome outcome = run_method(*task, true, options);
+  std::vector<Design> designs;
+  for (const Network& network : outcome.networks) {
+    Design next = certified(*task, network);
+    next.trace.insert(next.trace.begin(), outcome.trace.begin(), outcome.trace.end());
+    if (outcome.interrupted) next.status = model::DesignStatus::interrupted;
+    designs.push_back(std::move(next));
   }
   return designs;
 }

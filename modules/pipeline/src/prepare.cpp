@@ -1,111 +1,67 @@
+#include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <tencer/equilibrium/frames.hpp>
 #include <tencer/equilibrium/rigid_modes.hpp>
 #include <tencer/geometry/hull.hpp>
-#include <tencer/pipeline/convert.hpp>
+#include <tencer/ground_structure/candidates.hpp>
+#include <tencer/model/frames.hpp>
 #include <tencer/pipeline/prepare.hpp>
 #include <tencer/pipeline/symmetry.hpp>
-
-#include "frames.hpp"
-#include "parts.hpp"
-#include "rest_shape.hpp"
+#include <utility>
 
 namespace tencer::pipeline {
 namespace {
 
-// The design file of the scene as far as it is known before there are cables.
-io::Design file_of(const io::Scene& scene) {
-  io::Design design;
-  design.name = scene.name;
-  design.length_unit = scene.length_unit;
-  design.force_unit = scene.force_unit;
-  design.planar = scene.planar;
-  design.anchors = scene.anchors;
-  design.pinned = scene.pinned;
-  design.point_loads = scene.point_loads;
-  design.line_loads = scene.line_loads;
-  for (const auto& from : scene.rods) {
-    der::Rod rod{.closed = from.target.closed, .section = {}};
-    rod.rest_lengths = geometry::edge_lengths(from.target);
-    set_rest_shape(from.rest, rod);
-    design.rods.push_back({.closed = rod.closed,
-                           .EA = from.section.EA,
-                           .EI = from.section.EI,
-                           .GJ = from.section.GJ,
-                           .rest_lengths = rod.rest_lengths,
-                           .target = from.target.points,
-                           .pose = from.target.points,
-                           .closing_angle = from.closing_angle,
-                           .rest_curvature = rod.rest_curvature,
-                           .rest_twist = rod.rest_twist});
-  }
-  return design;
-}
+using ground_structure::Problem;
 
-// The rods at the target, with frames as the scene wants them and then as they settle.
-equilibrium::State start_of(const io::Scene& scene, const equilibrium::Structure& structure,
-                            const std::vector<Eigen::Matrix3Xd>& points) {
-  equilibrium::State state = make_state(structure, points);
+// The rods at the target, with frames as the scene wants them and then in balance.
+model::State start_of(const model::Scene& scene, const Problem& problem) {
+  model::State state = make_state(problem.structure, problem.target.points);
   for (std::size_t r = 0; r < state.size(); ++r) {
-    if (scene.rods[r].director)
-      turn_frames(state[r], *scene.rods[r].director);
+    if (scene.directors[r])
+      model::turn_frames(state[r], *scene.directors[r]);
     else
-      turn_to_least_energy(structure.rods[r], state[r]);
+      model::turn_to_least_energy(problem.structure.rods[r], state[r]);
   }
-  settle_frames(structure, state);
+  equilibrium::relax_frames(problem.structure, state);
   return state;
-}
-
-sparsify::Rules scaled_rules(const io::Scene& scene, const equilibrium::Structure& structure,
-                             const core::Scale& scale) {
-  sparsify::Rules rules;
-  if (scene.design.rod_pairs) {
-    rules.pairs.emplace();
-    for (const auto& [a, b] : *scene.design.rod_pairs) rules.pairs->push_back({a, b});
-  }
-  if (scene.design.longest_cable) rules.longest = *scene.design.longest_cable / scale.length;
-  rules.external = scene.design.external && scene.anchors.cols() > 0;
-  for (int r = 0; r < static_cast<int>(scene.rods.size()); ++r) {
-    const geometry::ArcLength arc(structure.rods[r].rest_lengths, structure.rods[r].closed);
-    for (const io::Arc& forbidden : scene.rods[r].forbidden_arcs)
-      rules.forbidden.push_back(
-          {.rod = r, .from = forbidden.from / scale.length, .to = forbidden.to / scale.length});
-    for (int vertex : scene.rods[r].forbidden_vertices)
-      rules.forbidden.push_back({.rod = r, .from = arc.knots()[vertex], .to = arc.knots()[vertex]});
-  }
-  return rules;
 }
 
 // Without pins and loads, cables to anchors can only balance when these surround the target (paper
 // section 5.2).
-std::optional<core::Error> check_anchors(const io::Scene& scene) {
-  const bool loaded = !scene.point_loads.empty() || !scene.line_loads.empty();
-  if (scene.anchors.cols() == 0 || !scene.pinned.empty() || loaded || !scene.design.external)
+std::optional<core::Error> check_anchors(const model::Scene& scene) {
+  const model::Structure& structure = scene.structure;
+  const bool loaded = !structure.point_loads.empty() || !structure.line_loads.empty();
+  if (structure.anchors.cols() == 0 || !structure.pins.empty() || loaded || !scene.rules.external)
     return {};
-  for (const auto& rod : scene.rods) {
-    const auto outside = geometry::outside_hull(scene.anchors, rod.target.points, scene.planar);
+  for (std::size_t r = 0; r < scene.target.points.size(); ++r) {
+    const auto outside =
+        geometry::outside_hull(structure.anchors, scene.target.points[r], structure.planar);
     if (outside.point < 0) continue;
     std::ostringstream message;
     message << "anchors: their convex hull must enclose the target, but ";
     if (std::isinf(outside.distance))
-      message << "these " << scene.anchors.cols() << " enclose nothing; give at least "
-              << (scene.planar ? "3 that are not on a line" : "4 that are not in a plane");
+      message << "these " << structure.anchors.cols() << " enclose nothing; give at least "
+              << (structure.planar ? "3 that are not on a line" : "4 that are not in a plane");
     else
-      message << "vertex " << outside.point << " of rod " << (&rod - scene.rods.data()) << " is "
-              << outside.distance << ' ' << scene.length_unit << " outside";
+      message << "vertex " << outside.point << " of rod " << r << " is " << outside.distance << ' '
+              << scene.length_unit << " outside";
     return core::Error{scene.source, message.str()};
   }
   return {};
 }
 
 // Whatever the force at a pin turns out to be, there have to be anchors to take it over.
-std::optional<core::Error> check_hand_over(const io::Scene& scene) {
+std::optional<core::Error> check_hand_over(const model::Scene& scene) {
+  const model::Structure& structure = scene.structure;
+  const double max_length = scene.rules.max_cable_length;
   if (!scene.design.hand_over) return {};
-  for (const io::Pin& pin : scene.pinned) {
-    const Eigen::Vector3d point = scene.rods[pin.rod].target.points.col(pin.vertex);
+  for (const model::Pin& pin : structure.pins) {
+    const Eigen::Vector3d point = scene.target.points[pin.rod].col(pin.vertex);
     Eigen::Matrix3Xd within(3, 0);
-    for (const auto& anchor : scene.anchors.colwise()) {
-      if ((anchor - point).norm() > scene.design.longest_cable.value_or(INFINITY)) continue;
+    for (const auto& anchor : structure.anchors.colwise()) {
+      if ((anchor - point).norm() > max_length) continue;
       within.conservativeResize(3, within.cols() + 1);
       within.rightCols(1) = anchor;
     }
@@ -114,11 +70,11 @@ std::optional<core::Error> check_hand_over(const io::Scene& scene) {
     if (within.cols() > 0) {
       const Eigen::Vector3d centre = within.rowwise().mean();
       within = ((1 - clear) * (within.colwise() - centre)).colwise() + centre;
-      if (geometry::outside_hull(within, point, scene.planar).point < 0) continue;
+      if (geometry::outside_hull(within, point, structure.planar).point < 0) continue;
     }
     std::ostringstream message;
     message << "design.hand_over: the anchors "
-            << (scene.design.longest_cable ? "that the longest cable reaches " : "")
+            << (std::isfinite(max_length) ? "that the longest cable reaches " : "")
             << "must surround every pinned vertex, but vertex " << pin.vertex << " of rod "
             << pin.rod << " is not between them; a frame, such as {shape = \"cube\"}, is about "
             << "all rods";
@@ -128,13 +84,13 @@ std::optional<core::Error> check_hand_over(const io::Scene& scene) {
 }
 
 // Loads on rods that no pin holds, however cables tie the rods together.
-std::optional<core::Error> check_loads(const io::Scene& scene, const Prepared& prepared) {
-  equilibrium::Structure tied = prepared.structure;
-  if ((tied.line_loads.empty() && tied.point_loads.empty()) || prepared.rules.external) return {};
+std::optional<core::Error> check_loads(const model::Scene& scene, const Problem& problem) {
+  model::Structure tied = problem.structure;
+  if ((tied.line_loads.empty() && tied.point_loads.empty()) || problem.rules.external) return {};
   for (int r = 1; r < static_cast<int>(tied.rods.size()); ++r)
     tied.cables.push_back({.a = springs::OnRod{0, 0.0}, .b = springs::OnRod{r, 0.0}});
   const equilibrium::System system(tied);
-  const auto modes = equilibrium::rigid_modes(system, make_state(tied, prepared.target.points));
+  const auto modes = equilibrium::rigid_modes(system, make_state(tied, problem.target.points));
   if (equilibrium::holds_loads(system, modes)) return {};
   return core::Error{scene.source,
                      std::string(tied.line_loads.empty() ? "loads" : "gravity") +
@@ -142,30 +98,87 @@ std::optional<core::Error> check_loads(const io::Scene& scene, const Prepared& p
                          "vertices, or give anchors for cables"};
 }
 
+// What is wrong when there are no candidates: the error, with the key without whose rules there
+// would be some.
+std::string why_no_candidates(const Problem& problem, const core::Error& error) {
+  using model::Rules;
+  const auto allowed_but_for = [&](auto&& lift) {
+    Rules rules = problem.rules;
+    lift(rules);
+    return ground_structure::candidates(problem.structure, problem.target.points, rules)
+        .has_value();
+  };
+  if (allowed_but_for([](Rules& rules) { rules.max_cable_length = Rules{}.max_cable_length; }))
+    return "design.longest_cable: " + error.message;
+  if (allowed_but_for([](Rules& rules) { rules.pairs.reset(); }))
+    return "design.rod_pairs: " + error.message;
+  if (allowed_but_for([](Rules& rules) { rules.forbidden.clear(); })) {
+    const bool arcs = std::ranges::any_of(problem.rules.forbidden,
+                                          [](const model::Arc& arc) { return arc.from != arc.to; });
+    return (arcs ? "design.forbidden_arcs: " : "design.forbidden_vertices: ") + error.message;
+  }
+  if (!error.where.empty()) return error.message;  // vertices coincide
+  return "no cable is possible: the vertices are all neighbours on their rod, or held in place";
+}
+
+// The candidates of the problem into it.
+std::optional<core::Error> add_candidates(const model::Scene& scene, Problem& problem) {
+  auto found =
+      ground_structure::candidates(problem.structure, problem.target.points, problem.rules);
+  if (!found) return core::Error{scene.source, why_no_candidates(problem, found.error())};
+  problem.candidates = std::move(*found);
+  return std::nullopt;
+}
+
+// What a scene that was put together by a program may have wrong.
+std::optional<core::Error> check_scene(const model::Scene& scene) {
+  if (scene.structure.rods.empty()) return core::Error{scene.source, "has no rods"};
+  if (scene.directors.size() != scene.structure.rods.size())
+    return core::Error{scene.source, "directors: expected one for each rod, set or not"};
+  if (const auto problem = scene.design.problem())
+    return core::Error{scene.source, "design." + *problem};
+  try {
+    model::validate(scene.structure);
+    model::validate(scene.target, scene.structure);
+    model::validate(scene.rules, scene.structure);
+  } catch (const std::invalid_argument& wrong) {
+    return core::Error{scene.source, wrong.what()};
+  }
+  if (const auto touching = model::touching_vertices(scene))
+    return core::Error{scene.source, *touching};
+  return std::nullopt;
+}
+
 }  // namespace
 
-core::Expected<Prepared> prepare(const io::Scene& scene) {
-  if (auto error = check_anchors(scene)) return *error;
-  if (auto error = check_hand_over(scene)) return *error;
-  Prepared prepared{.file = file_of(scene)};
-  prepared.units = units_of(prepared.file);
-  prepared.structure = structure_of(prepared.file, Cables::inextensible, prepared.units);
-  prepared.target.points = scaled_targets(prepared.file, prepared.units);
-  for (const auto& rod : scene.rods) prepared.target.weights.push_back(rod.weights);
-  prepared.rules = scaled_rules(scene, prepared.structure, prepared.units.scale);
-  prepared.target.align = scene.pinned.empty() && !prepared.rules.external;
-  prepared.target.planar = scene.planar;
-  if (auto error = check_loads(scene, prepared)) return *error;
-  prepared.start = start_of(scene, prepared.structure, prepared.target.points);
-  for (std::size_t r = 0; r < prepared.start.size(); ++r)
-    prepared.file.rods[r].target_directors = directors(prepared.start[r]);
-  if (scene.design.method == "force-balance") {
-    auto group = symmetry_of(scene, prepared);
+core::Expected<Prepared> prepare(const model::Scene& scene) {
+  for (const auto check : {check_scene, check_anchors, check_hand_over})
+    if (auto error = check(scene)) return *error;
+  Prepared prepared{.scaling = model::scaling_of(scene.structure, scene.target.points)};
+  Problem& problem = prepared.problem;
+  problem.structure = model::scaled(scene.structure, prepared.scaling);
+  problem.rules = model::scaled(scene.rules, prepared.scaling);
+  problem.rules.external = scene.rules.external && scene.structure.anchors.cols() > 0;
+  problem.target = {.points = model::scaled(scene.target.points, prepared.scaling),
+                    .weights = scene.target.weights,
+                    .align = scene.structure.pins.empty() && !problem.rules.external,
+                    .planar = scene.structure.planar};
+  if (auto error = check_loads(scene, problem)) return *error;
+  problem.start = start_of(scene, problem);
+  if (scene.design.method == model::Method::force_balance) {
+    auto group = symmetry_of(scene, problem, prepared.scaling);
     if (!group) return group.error();
-    prepared.symmetry = std::move(*group);
+    problem.symmetry = std::move(*group);
   }
-  prepared.parts = parts_of(scene, prepared);
+  if (auto error = add_candidates(scene, problem)) return *error;
   return prepared;
+}
+
+core::Expected<Problem> without_pins(const model::Scene& scene, const Problem& pinned) {
+  Problem released = pinned;
+  released.structure.pins.clear();
+  if (auto error = add_candidates(scene, released)) return *error;
+  return released;
 }
 
 }  // namespace tencer::pipeline

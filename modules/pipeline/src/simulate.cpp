@@ -1,8 +1,12 @@
 #include <chrono>
-#include <tencer/equilibrium/built.hpp>
-#include <tencer/geometry/measure.hpp>
-#include <tencer/pipeline/refine.hpp>
+#include <optional>
+#include <tencer/equilibrium/inextensible.hpp>
+#include <tencer/model/scaling.hpp>
+#include <tencer/model/subdivision.hpp>
+#include <tencer/network/network.hpp>
+#include <tencer/pipeline/design_state.hpp>
 #include <tencer/pipeline/simulate.hpp>
+#include <tencer/sensitivity/distance.hpp>
 #include <utility>
 
 #include "record.hpp"
@@ -10,74 +14,97 @@
 namespace tencer::pipeline {
 namespace {
 
-constexpr double meeting = 1e-12;  // relative to the rods' total length
-
 // Largest distance of every `stride`-th vertex from `from` in % of the target's diagonal, aligned
 // as the target is.
-double moved_percent(const sensitivity::Target& target, std::vector<Eigen::Matrix3Xd> from,
-                     const equilibrium::State& to, int stride) {
-  std::vector<geometry::Polyline> curves;
-  for (const auto& points : target.points) curves.push_back({.points = points});
-  sensitivity::Target other = target;
+double moved_percent(const model::Target& target, std::vector<Eigen::Matrix3Xd> from,
+                     const model::State& to, int stride) {
+  model::Target other = target;
   other.weights.clear();
   for (const auto& points : from) {
     auto& weights = other.weights.emplace_back(Eigen::VectorXd::Zero(points.cols()));
     for (Eigen::Index i = 0; i < points.cols(); i += stride) weights[i] = 1;
   }
   other.points = std::move(from);
-  return 100 * sensitivity::deviation(other, to).max / geometry::bounding_box_diagonal(curves);
+  return 100 * sensitivity::deviation(other, to).max / model::diagonal(target);
+}
+
+// A cable that cannot be taken as asked.
+std::optional<core::Error> check_stiffness(const model::Design& design, Cables cables) {
+  if (cables == Cables::inextensible) return std::nullopt;
+  for (std::size_t c = 0; c < design.structure.cables.size(); ++c)
+    if (!(design.structure.cables[c].stiffness > 0))
+      return core::Error{"cables[" + std::to_string(c) + "]",
+                         "has no stiffness and rest_length to be a spring; give it both, or take "
+                         "the cables as inextensible"};
+  return std::nullopt;
+}
+
+// A cable whose ends meet. structure: scaled, so that its rods' total length is 1.
+std::optional<core::Error> check_spans(const model::Structure& structure,
+                                       const model::State& start) {
+  constexpr double meeting = 1e-12;
+  const Eigen::VectorXd lengths = network::cable_lengths({structure, start});
+  for (Eigen::Index c = 0; c < lengths.size(); ++c)
+    if (lengths[c] <= meeting)
+      return core::Error{"cables[" + std::to_string(c) + "]",
+                         "its ends are the same point at the start, so it has no direction; move "
+                         "one of them"};
+  return std::nullopt;
+}
+
+struct Rest {
+  equilibrium::Equilibrium equilibrium{};
+  Eigen::VectorXd tensions{};
+};
+
+Rest relax(const model::Structure& structure, model::State start, const SimulateOptions& options) {
+  if (options.cables == Cables::inextensible) {
+    auto found = equilibrium::relax_inextensible(structure, std::move(start), options.solve);
+    return {std::move(found.equilibrium), std::move(found.tensions)};
+  }
+  const equilibrium::System system(structure);
+  auto found = equilibrium::solve(system, std::move(start), options.solve);
+  Eigen::VectorXd tensions = system.internal_forces(found.state).tension;
+  return {std::move(found), std::move(tensions)};
 }
 
 }  // namespace
 
-core::Expected<Simulation> simulate(const io::Design& given, const SimulateOptions& options) {
-  const io::Design design = refined(given, options.refine);
-  if (options.cables == Cables::springs)
-    for (std::size_t c = 0; c < design.cables.size(); ++c)
-      if (!design.cables[c].stiffness || !design.cables[c].rest_length)
-        return core::Error{"cables[" + std::to_string(c) + "]",
-                           "has no stiffness and rest_length to be a spring; give it both, or take "
-                           "the cables as inextensible"};
+void SimulateOptions::validate() const {
+  core::require(refine >= 1, "SimulateOptions::refine must be at least 1");
+}
+
+core::Expected<Simulation> simulate(const model::Design& given, const SimulateOptions& options) {
+  options.validate();
+  const model::Design design = model::subdivided(given, options.refine);
+  if (auto error = check_stiffness(design, options.cables)) return *error;
   const auto begin = std::chrono::steady_clock::now();
-  const Units units = units_of(design);
-  const equilibrium::Structure structure = structure_of(design, options.cables, units);
-  const auto target = target_of(structure, scaled_targets(design, units));
-  const auto poses = scaled_poses(design, units);
-  equilibrium::State start = options.start == Start::pose ? pose_state(design, structure, units)
-                                                          : target_state(design, structure, units);
+  const model::Scaling scaling = model::scaling_of(design.structure, design.target);
+  const model::Structure structure = model::scaled(
+      options.cables == Cables::springs ? design.structure : model::as_built(design), scaling);
+  const auto target = model::make_target(structure, model::scaled(design.target, scaling));
+  const model::State start = options.start == Start::pose
+                                 ? pose_state(design, structure, scaling)
+                                 : target_state(design, structure, scaling);
+  if (auto error = check_spans(structure, start)) return *error;
 
-  const equilibrium::System cables(structure);
-  for (std::size_t c = 0; c < structure.cables.size(); ++c)
-    if (equilibrium::span_of(cables.stencils()[c], start).norm() <= meeting)
-      return core::Error{"cables[" + std::to_string(c) + "]",
-                         "its ends are the same point at the start, so it has no direction; move "
-                         "one of them"};
-
-  Simulation simulation{.design = design};
-  equilibrium::Equilibrium found;
-  Eigen::VectorXd tensions;
-  if (options.cables == Cables::springs) {
-    const equilibrium::System system(structure);
-    found = equilibrium::solve(system, std::move(start), options.solve);
-    tensions = system.internal_forces(found.state).tension;
-  } else {
-    equilibrium::BuiltForm built = equilibrium::settle(structure, std::move(start), options.solve);
-    found = std::move(built.equilibrium);
-    tensions = std::move(built.tensions);
-  }
-  simulation.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  simulation.reason = found.reason;
-  simulation.unknowns = equilibrium::System(structure).size();
-  simulation.iterations = found.iterations;
-  simulation.factorisations = found.factorisations;
-  simulation.residual = found.residual;
-  simulation.moved_percent = moved_percent(target, poses, found.state, options.refine);
-  record(structure, found.state, tensions, target, units, simulation.design);
+  const Rest rest = relax(structure, start, options);
+  const equilibrium::Equilibrium& found = rest.equilibrium;
+  Simulation simulation{
+      .design = design,
+      .reason = found.reason,
+      .unknowns = equilibrium::System(structure).size(),
+      .iterations = found.iterations,
+      .factorisations = found.factorisations,
+      .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+      .residual = found.residual,
+      .moved_percent =
+          moved_percent(target, model::scaled(design.pose, scaling), found.state, options.refine)};
+  record({structure, found.state, rest.tensions, target}, scaling, simulation.design);
   if (!simulation.usable())
     simulation.design.status = found.reason == equilibrium::Reason::stopped
-                                   ? io::DesignStatus::interrupted
-                                   : io::DesignStatus::tolerance_not_reached;
+                                   ? model::DesignStatus::interrupted
+                                   : model::DesignStatus::tolerance_not_reached;
   return simulation;
 }
 

@@ -8,24 +8,25 @@
 
 namespace tencer::sensitivity {
 
-inline springs::Attachment attachment(Kind kind) {
-  return kind == Kind::position_a ? springs::Attachment::a : springs::Attachment::b;
+inline springs::Attachment attachment(springs::ParameterKind kind) {
+  return kind == springs::ParameterKind::position_a ? springs::Attachment::a
+                                                    : springs::Attachment::b;
 }
 
 class CableAt {
  public:
-  CableAt(const equilibrium::System& system, const equilibrium::State& state, int cable)
+  CableAt(const equilibrium::System& system, const model::State& state, int cable)
       : system_(system),
         state_(state),
         cable_(system.structure().cables[cable]),
         stencil_(system.stencils()[cable]),
-        span_(equilibrium::span_of(stencil_, state)) {}
+        span_(model::span_of(stencil_, state)) {}
 
   const springs::Cable& cable() const { return cable_; }
   const springs::Stencil& stencil() const { return stencil_; }
   const Eigen::Vector3d& span() const { return span_; }
 
-  std::array<double, 4> rates(Kind kind) const {
+  std::array<double, 4> rates(springs::ParameterKind kind) const {
     return springs::weight_rates(cable_, stencil_, system_.arc_lengths(), attachment(kind));
   }
   // How the span changes with s, the vertices held.
@@ -59,9 +60,10 @@ class CableAt {
     std::array<double, 4> rates{};
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
   };
-  ForceDerivative derivative(Kind kind) const {
-    if (kind == Kind::stiffness) return {.force_rate = springs::force_by_stiffness(cable_, span_)};
-    if (kind == Kind::rest_length)
+  ForceDerivative derivative(springs::ParameterKind kind) const {
+    if (kind == springs::ParameterKind::stiffness)
+      return {.force_rate = springs::force_by_stiffness(cable_, span_)};
+    if (kind == springs::ParameterKind::rest_length)
       return {.force_rate = springs::force_by_rest_length(cable_, span_)};
     ForceDerivative result{.rates = rates(kind), .force = springs::force(cable_, span_)};
     result.force_rate =
@@ -72,7 +74,7 @@ class CableAt {
 
  private:
   const equilibrium::System& system_;
-  const equilibrium::State& state_;
+  const model::State& state_;
   const springs::Cable& cable_;
   const springs::Stencil& stencil_;
   Eigen::Vector3d span_;

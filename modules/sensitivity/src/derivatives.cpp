@@ -17,16 +17,18 @@ Eigen::VectorXd adjoint(const Configuration& at, const Distance& distance) {
   return solve(at, -distance.gradient());
 }
 
-Eigen::VectorXd gradient(const Configuration& at, std::span<const Parameter> parameters,
+Eigen::VectorXd gradient(const Configuration& at, std::span<const springs::Parameter> parameters,
                          const Eigen::VectorXd& adjoint) {
   return force_derivatives_transposed(at.system, at.state, parameters, adjoint);
 }
 
-Eigen::MatrixXd state_derivatives(const Configuration& at, std::span<const Parameter> parameters) {
+Eigen::MatrixXd state_derivatives(const Configuration& at,
+                                  std::span<const springs::Parameter> parameters) {
   return solve(at, -Eigen::MatrixXd(force_derivatives(at.system, at.state, parameters)));
 }
 
-Eigen::MatrixXd state_derivatives(const Configuration& at, std::span<const Parameter> parameters,
+Eigen::MatrixXd state_derivatives(const Configuration& at,
+                                  std::span<const springs::Parameter> parameters,
                                   const Eigen::SparseMatrix<double>& ties) {
   core::require(ties.rows() == static_cast<Eigen::Index>(parameters.size()),
                 "state_derivatives: needs a row of ties for every parameter");
@@ -44,7 +46,8 @@ Eigen::MatrixXd LeastSquares::gauss_newton() const {
   return result.selfadjointView<Eigen::Lower>();
 }
 
-Eigen::VectorXd hessian_times(const Configuration& at, std::span<const Parameter> parameters,
+Eigen::VectorXd hessian_times(const Configuration& at,
+                              std::span<const springs::Parameter> parameters,
                               const Distance& distance, const Eigen::VectorXd& adjoint,
                               const Eigen::VectorXd& q) {
   core::require(q.size() == static_cast<Eigen::Index>(parameters.size()),
@@ -60,7 +63,7 @@ Eigen::VectorXd hessian_times(const Configuration& at, std::span<const Parameter
          curvature.parameters * q;
 }
 
-Eigen::MatrixXd hessian(const Configuration& at, std::span<const Parameter> parameters,
+Eigen::MatrixXd hessian(const Configuration& at, std::span<const springs::Parameter> parameters,
                         const Distance& distance, const Eigen::VectorXd& adjoint,
                         const Eigen::MatrixXd& state_derivatives) {
   const Eigen::MatrixXd& motions = state_derivatives;

@@ -6,27 +6,28 @@
 namespace tencer::sensitivity {
 namespace {
 
-using equilibrium::State;
 using equilibrium::System;
+using model::State;
 
 // The field of a cable that a parameter stands for.
 template <class Cable>
-auto& field(Cable& cable, Kind kind) {
+auto& field(Cable& cable, springs::ParameterKind kind) {
   switch (kind) {
-    case Kind::stiffness:
+    case springs::ParameterKind::stiffness:
       return cable.stiffness;
-    case Kind::rest_length:
+    case springs::ParameterKind::rest_length:
       return cable.rest_length;
-    case Kind::position_a:
-    case Kind::position_b:
+    case springs::ParameterKind::position_a:
+    case springs::ParameterKind::position_b:
       break;
   }
-  auto* on_rod = std::get_if<springs::OnRod>(kind == Kind::position_a ? &cable.a : &cable.b);
+  auto* on_rod =
+      std::get_if<springs::OnRod>(kind == springs::ParameterKind::position_a ? &cable.a : &cable.b);
   core::require(on_rod != nullptr, "parameter: an anchored end has no position on a rod");
   return on_rod->s;
 }
 
-void check(std::span<const springs::Cable> cables, const Parameter& parameter) {
+void check(std::span<const springs::Cable> cables, const springs::Parameter& parameter) {
   core::require(parameter.cable >= 0 && parameter.cable < static_cast<int>(cables.size()),
                 "parameter: no such cable");
 }
@@ -34,7 +35,7 @@ void check(std::span<const springs::Cable> cables, const Parameter& parameter) {
 }  // namespace
 
 Eigen::VectorXd values(std::span<const springs::Cable> cables,
-                       std::span<const Parameter> parameters) {
+                       std::span<const springs::Parameter> parameters) {
   Eigen::VectorXd p(static_cast<Eigen::Index>(parameters.size()));
   for (std::size_t j = 0; j < parameters.size(); ++j) {
     check(cables, parameters[j]);
@@ -44,7 +45,7 @@ Eigen::VectorXd values(std::span<const springs::Cable> cables,
 }
 
 std::vector<springs::Cable> with_values(std::vector<springs::Cable> cables,
-                                        std::span<const Parameter> parameters,
+                                        std::span<const springs::Parameter> parameters,
                                         const Eigen::VectorXd& p) {
   core::require(p.size() == static_cast<Eigen::Index>(parameters.size()),
                 "with_values: needs a value for every parameter");
@@ -56,7 +57,7 @@ std::vector<springs::Cable> with_values(std::vector<springs::Cable> cables,
 }
 
 ParameterJacobian force_derivatives(const System& system, const State& state,
-                                    std::span<const Parameter> parameters) {
+                                    std::span<const springs::Parameter> parameters) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(12 * parameters.size());
   for (int j = 0; j < static_cast<int>(parameters.size()); ++j) {
@@ -76,7 +77,7 @@ ParameterJacobian force_derivatives(const System& system, const State& state,
 }
 
 Eigen::VectorXd force_derivatives_transposed(const System& system, const State& state,
-                                             std::span<const Parameter> parameters,
+                                             std::span<const springs::Parameter> parameters,
                                              const Eigen::VectorXd& y) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(parameters.size()));
   for (std::size_t j = 0; j < parameters.size(); ++j) {
@@ -91,7 +92,8 @@ Eigen::VectorXd force_derivatives_transposed(const System& system, const State& 
 }
 
 ForceCurvature force_curvature(const System& system, const State& state,
-                               std::span<const Parameter> parameters, const Eigen::VectorXd& y) {
+                               std::span<const springs::Parameter> parameters,
+                               const Eigen::VectorXd& y) {
   const int count = static_cast<int>(parameters.size());
   std::vector<std::vector<int>> parameters_of(system.stencils().size());
   for (int j = 0; j < count; ++j) {
@@ -103,12 +105,12 @@ ForceCurvature force_curvature(const System& system, const State& state,
     const CableAt at(system, state, c);
     const Eigen::Vector3d span_y = at.moved(y);
     for (const int j : parameters_of[c]) {
-      const Kind kind = parameters[j].kind;
+      const springs::ParameterKind kind = parameters[j].kind;
       std::array<double, 4> rates{};
       springs::Variation along{.span_1 = span_y};
-      if (kind == Kind::stiffness) {
+      if (kind == springs::ParameterKind::stiffness) {
         along.stiffness_2 = 1;
-      } else if (kind == Kind::rest_length) {
+      } else if (kind == springs::ParameterKind::rest_length) {
         along.rest_length_2 = 1;
       } else {
         rates = at.rates(kind);
@@ -124,9 +126,9 @@ ForceCurvature force_curvature(const System& system, const State& state,
       }
       for (const int other : parameters_of[c]) {
         double value = 0;
-        if (parameters[other].kind == Kind::stiffness) {
+        if (parameters[other].kind == springs::ParameterKind::stiffness) {
           value = response.by_stiffness_12;
-        } else if (parameters[other].kind == Kind::rest_length) {
+        } else if (parameters[other].kind == springs::ParameterKind::rest_length) {
           value = response.by_rest_length_12;
         } else {
           const auto other_rates = at.rates(parameters[other].kind);

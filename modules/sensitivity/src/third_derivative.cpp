@@ -7,8 +7,8 @@
 namespace tencer::sensitivity {
 namespace {
 
-using equilibrium::State;
 using equilibrium::System;
+using model::State;
 
 // The derivative along y of one rod's Hessian; numbers are those of the rod's own unknowns.
 struct RodDirection {
@@ -129,10 +129,9 @@ Eigen::MatrixXd third_derivative_times(const System& system, const State& state,
               .force_12;
     for (Eigen::Index k = 0; k < v.cols(); ++k) {
       const Eigen::Vector3d force = stiffness_rate * at.moved(v.col(k));
-      for (int i = 0; i < at.stencil().count; ++i)
-        for (int axis = 0; axis < 3; ++axis)
-          if (const int row = at.unknown(i, axis); row >= 0)
-            result(row, k) += at.stencil().shares[i].weight * force[axis];
+      system.for_each_unknown(at.stencil(), [&](int row, int axis, double weight) {
+        result(row, k) += weight * force[axis];
+      });
     }
   }
   return result;

@@ -9,7 +9,7 @@
 namespace tencer::sensitivity {
 namespace {
 
-using equilibrium::State;
+using model::State;
 using springs::Cable;
 using springs::End;
 
@@ -54,18 +54,14 @@ std::vector<Cable> between(const Configuration& from, const std::vector<Cable>& 
 Eigen::VectorXd force_change(const Configuration& from, const equilibrium::System& to) {
   Eigen::VectorXd change = Eigen::VectorXd::Zero(from.system.size());
   const auto add = [&](const springs::Stencil& stencil, const Eigen::Vector3d& force) {
-    for (int i = 0; i < stencil.count; ++i)
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto& share = stencil.shares[i];
-        const int at = to.position_index(share.rod, share.vertex, axis);
-        if (at >= 0) change[at] += share.weight * force[axis];
-      }
+    to.for_each_unknown(
+        stencil, [&](int at, int axis, double weight) { change[at] += weight * force[axis]; });
   };
   for (std::size_t c = 0; c < from.cables().size(); ++c) {
     const Cable& cable = from.cables()[c];
     const Cable& next = to.structure().cables[c];
-    const Eigen::Vector3d span = equilibrium::span_of(from.system.stencils()[c], from.state);
-    const Eigen::Vector3d next_span = equilibrium::span_of(to.stencils()[c], from.state);
+    const Eigen::Vector3d span = model::span_of(from.system.stencils()[c], from.state);
+    const Eigen::Vector3d next_span = model::span_of(to.stencils()[c], from.state);
     const Eigen::Vector3d force = springs::force(cable, span);
     const Eigen::Matrix3d stiffness =
         springs::stiffness_matrix(cable, span, springs::tension(cable, span.norm()));
@@ -161,7 +157,7 @@ std::string describe(Outcome outcome) {
   return {};
 }
 
-Tracker::Tracker(equilibrium::Structure structure, State start, TrackerOptions options)
+Tracker::Tracker(model::Structure structure, State start, TrackerOptions options)
     : options_(std::move(options)),
       committed_{.system = equilibrium::System(structure, options_.side)},
       trial_{.system = equilibrium::System(structure, options_.side)},

@@ -1,24 +1,24 @@
 #include "design_problem.hpp"
 
 #include <cmath>
+#include <tencer/equilibrium/modal.hpp>
 #include <utility>
 
-#include "removal.hpp"
-#include "stiffness_floor.hpp"
+#include "homotopy.hpp"
 
 namespace tencer::sparsify {
 namespace {
 
-std::vector<sensitivity::Parameter> parameters_of(const std::vector<Variable>& variables) {
-  std::vector<sensitivity::Parameter> parameters;
+std::vector<springs::Parameter> parameters_of(const std::vector<Variable>& variables) {
+  std::vector<springs::Parameter> parameters;
   for (const auto& variable : variables) parameters.push_back(variable.parameter);
   return parameters;
 }
 
 }  // namespace
 
-DesignProblem::DesignProblem(const Network& network, const sensitivity::Target& target,
-                             DesignSetup setup, const Control& control)
+DesignProblem::DesignProblem(const network::Network& network, const model::Target& target,
+                             DesignSetup setup, const network::Control& control)
     : target_(target),
       setup_(std::move(setup)),
       parameters_(parameters_of(setup_.variables)),
@@ -29,8 +29,7 @@ DesignProblem::DesignProblem(const Network& network, const sensitivity::Target& 
     const Variable& variable = setup_.variables[i];
     start_[i] = (is_stiffness(variable) ? std::sqrt(start_[i]) : start_[i]) / variable.scale;
   }
-  ++solves_;
-  iterations_ += tracker_.first().iterations;
+  counts_ += {.solves = 1, .iterations = tracker_.first().iterations};
 }
 
 Eigen::VectorXd DesignProblem::parameter_values(const Eigen::VectorXd& p) const {
@@ -69,14 +68,14 @@ bool DesignProblem::evaluate(const Eigen::VectorXd& p) {
   const auto& from = tracker_.committed();
   if (!holds_as_before({from.system.structure(), from.state}, cables)) return false;
   const auto trial = tracker_.evaluate(cables);
-  solves_ += trial.solves;
-  iterations_ += trial.equilibrium.iterations;
+  counts_ += {.solves = trial.solves, .iterations = trial.equilibrium.iterations};
   if (!trial.usable()) return false;
   const auto& at = tracker_.trial();
-  if (!at.linearisation.regular || !stiffer_than(at, setup_.least_eigenvalue, workspace_))
+  if (!at.linearisation.regular ||
+      !equilibrium::stiffer_than(at.system, at.linearisation, setup_.min_eigenvalue, workspace_))
     return false;
-  const Network network{at.system.structure(), at.state};
-  if (cable_lengths(network).maxCoeff() > setup_.longest * (1 + 1e-9)) return false;
+  const network::Network network{at.system.structure(), at.state};
+  if (cable_lengths(network).maxCoeff() > setup_.max_cable_length * (1 + 1e-9)) return false;
   if (setup_.all_pull && !idle_cables(network).empty()) return false;
   distance_.emplace(target_, at.system, at.state);
   return true;
@@ -88,7 +87,7 @@ std::optional<double> DesignProblem::value(const Eigen::VectorXd& p) {
   for (Eigen::Index i = 0; i < p.size(); ++i) value += setup_.variables[i].sparsity * p[i];
   if (value < best_value_) {
     best_value_ = value;
-    best_ = Network{tracker_.trial().system.structure(), tracker_.trial().state};
+    best_ = network::Network{tracker_.trial().system.structure(), tracker_.trial().state};
   }
   return value;
 }

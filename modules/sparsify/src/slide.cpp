@@ -1,30 +1,31 @@
 #include <algorithm>
 #include <tencer/core/error.hpp>
+#include <tencer/network/stage_recorder.hpp>
 #include <tencer/sparsify/slide.hpp>
 
-#include "refine.hpp"
-#include "stage_clock.hpp"
+#include "rounds.hpp"
 
 namespace tencer::sparsify {
 
-StageResult slide(const Network& network, const sensitivity::Target& target, const Rules& rules,
-                  const optimize::Backend& backend, const OuterOptions& outer,
-                  const Control& control) {
+network::StageResult slide(const network::Network& network, const model::Target& target,
+                           const model::Rules& rules, const optimize::Backend& backend,
+                           const OuterOptions& outer, const network::Control& control) {
   validate(rules, network.structure);
-  StageClock clock("slide", control);
-  if (auto refusal = refused(network, target, clock)) return std::move(*refusal);
+  outer.validate();
+  network::StageRecorder recorder("slide", control);
+  if (auto refusal = recorder.refusal(network, target)) return std::move(*refusal);
   const auto before = sensitivity::deviation(target, network.state);
   // The objective is of order one at the start.
-  const RefineSetup setup{.percent = std::max(before.rms_percent, 1e-6),
+  const RoundsSetup setup{.unit_percent = std::max(before.rms_percent, 1e-6),
                           .slide = true,
-                          .least_eigenvalue = least_eigenvalue(network, outer),
+                          .min_eigenvalue = min_eigenvalue(network, outer),
                           .rules = rules};
-  Effort effort;
-  Refined refined = refine(network, target, setup, backend, outer, control, effort);
-  clock.count(effort);
-  StageResult result{.network = std::move(refined.network)};
-  result.trace.push_back(clock.row(result.network, target, refined.note));
-  finish(result, target, clock);
+  network::SolveCounts counts;
+  Improved improved = improve_in_rounds(network, target, setup, backend, outer, control, counts);
+  recorder.add(counts);
+  network::StageResult result{.network = std::move(improved.network)};
+  result.trace.push_back(recorder.row(result.network, target, improved.note));
+  recorder.finish(result, target);
   return result;
 }
 

@@ -15,7 +15,7 @@ std::vector<double> stiffness_of(const std::vector<springs::Cable>& cables) {
 
 }  // namespace
 
-SpringSet::SpringSet(Network network, const Control& control)
+SpringSet::SpringSet(network::Network network, const network::Control& control)
     : system_(network.structure),
       options_(control.solve),
       state_(network.state),
@@ -29,8 +29,8 @@ SpringSet::SpringSet(Network network, const Control& control)
   options_.stop = control.stop;
 }
 
-Network SpringSet::network() const {
-  Network result{system_.structure(), state_};
+network::Network SpringSet::network() const {
+  network::Network result{system_.structure(), state_};
   result.structure.cables.clear();
   for (std::size_t i = 0; i < springs_.size(); ++i)
     if (present_[i]) result.structure.cables.push_back(springs_[i]);
@@ -41,9 +41,9 @@ Eigen::VectorXd SpringSet::tensions() const {
   Eigen::VectorXd result(static_cast<Eigen::Index>(springs_.size()));
   for (std::size_t i = 0; i < springs_.size(); ++i)
     result[static_cast<Eigen::Index>(i)] =
-        present_[i] ? springs::tension(springs_[i],
-                                       equilibrium::span_of(system_.stencils()[i], state_).norm())
-                    : std::numeric_limits<double>::infinity();
+        present_[i]
+            ? springs::tension(springs_[i], model::span_of(system_.stencils()[i], state_).norm())
+            : std::numeric_limits<double>::infinity();
   return result;
 }
 
@@ -58,8 +58,7 @@ void SpringSet::take_out(const std::vector<int>& springs) {
 equilibrium::Reason SpringSet::solve() {
   system_.set_cables(springs_);
   auto result = equilibrium::solve(system_, state_, options_, workspace_);
-  ++solves_;
-  iterations_ += result.iterations;
+  counts_ += {.solves = 1, .iterations = result.iterations};
   state_ = std::move(result.state);
   return result.reason;
 }

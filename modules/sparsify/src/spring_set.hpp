@@ -2,19 +2,20 @@
 // go, since working it out again costs more than a solve.
 #pragma once
 
-#include <tencer/sparsify/network.hpp>
+#include <tencer/network/stage.hpp>
+#include <tencer/network/stage_recorder.hpp>
 #include <vector>
 
 namespace tencer::sparsify {
 
 class SpringSet {
  public:
-  SpringSet(Network network, const Control& control);
+  SpringSet(network::Network network, const network::Control& control);
 
   int count() const { return count_; }
-  const equilibrium::State& state() const { return state_; }
+  const model::State& state() const { return state_; }
   // Only the springs that are left.
-  Network network() const;
+  network::Network network() const;
 
   // Tension of every spring at the state; that of springs taken out is infinite.
   Eigen::VectorXd tensions() const;
@@ -31,19 +32,18 @@ class SpringSet {
   void commit();
   void revert();
 
-  int solves() const { return solves_; }
-  int iterations() const { return iterations_; }
+  const network::SolveCounts& counts() const { return counts_; }
 
  private:
   equilibrium::System system_;
   equilibrium::Linearisation workspace_;
   equilibrium::SolveOptions options_;
-  equilibrium::State state_, committed_state_;
+  model::State state_, committed_state_;
   std::vector<springs::Cable> springs_;  // those taken out have stiffness 0
   std::vector<bool> present_, committed_present_;
   std::vector<double> stiffness_;
   int count_ = 0, committed_count_ = 0;
-  int solves_ = 0, iterations_ = 0;
+  network::SolveCounts counts_;
 };
 
 }  // namespace tencer::sparsify

@@ -30,11 +30,15 @@ Eigen::Matrix3d stiffness_matrix(const Cable& cable, const Eigen::Vector3d& d, d
 }
 
 Cable rebased(const Cable& cable, double length, double rho) {
-  core::require(length > 0 && rho >= 0 && rho < 1, "rebased: needs length > 0 and 0 <= rho < 1");
-  Cable result = cable;
-  result.rest_length = rho * length;
-  result.stiffness = tension(cable, length) / (length - result.rest_length);
-  return result;
+  return with_tension(cable, length, tension(cable, length), rho);
+}
+
+Cable with_tension(Cable cable, double length, double tension, double rest_ratio) {
+  core::require(length > 0 && rest_ratio >= 0 && rest_ratio < 1,
+                "with_tension: needs length > 0 and 0 <= rest_ratio < 1");
+  cable.rest_length = rest_ratio * length;
+  cable.stiffness = tension / (length - cable.rest_length);
+  return cable;
 }
 
 }  // namespace tencer::springs

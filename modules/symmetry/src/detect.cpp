@@ -15,13 +15,6 @@
 namespace tencer::symmetry {
 namespace {
 
-void validate(const Options& options) {
-  core::require(options.tolerance > 0.0 && options.tolerance < 0.05,
-                "symmetry: tolerance must be between 0 and 0.05");
-  core::require(options.max_order >= 1 && options.continuous_fold >= 1,
-                "symmetry: max_order and continuous_fold must be positive");
-}
-
 double worst_misfit(const Sampled& sampled, const Group& group) {
   double worst = 0.0;
   for (const Operation& operation : group.operations)
@@ -36,9 +29,9 @@ Eigen::Vector3d upward(const Eigen::Vector3d& direction) {
   return direction[largest] < 0.0 ? Eigen::Vector3d(-direction) : direction;
 }
 
-std::vector<Generator> elements(const Group& group, const Eigen::Vector3d& point) {
-  std::vector<Rotation> axes;
-  std::vector<Generator> planes;
+std::vector<model::SymmetryGenerator> elements(const Group& group, const Eigen::Vector3d& point) {
+  std::vector<model::Rotation> axes;
+  std::vector<model::SymmetryGenerator> planes;
   for (const Operation& operation : group.operations) {
     if (operation.matrix.determinant() < 0.0) {
       // A reflection is I - 2 n n^T.
@@ -47,23 +40,24 @@ std::vector<Generator> elements(const Group& group, const Eigen::Vector3d& point
       doubled.colwise().norm().maxCoeff(&column);
       const Eigen::Vector3d normal = doubled.col(column).normalized();
       if ((doubled - 2.0 * normal * normal.transpose()).norm() < 1e-6)
-        planes.push_back(Reflection{point, upward(normal)});
+        planes.push_back(model::Reflection{.normal = upward(normal), .point = point});
       continue;
     }
     const Eigen::AngleAxisd turn(operation.matrix);
     if (turn.angle() < 1e-6) continue;
-    const auto known = std::find_if(axes.begin(), axes.end(), [&](const Rotation& rotation) {
+    const auto known = std::find_if(axes.begin(), axes.end(), [&](const model::Rotation& rotation) {
       return rotation.axis.cross(turn.axis()).norm() < 1e-6;
     });
     // Each of a k-fold axis' k - 1 rotations adds one.
     if (known != axes.end())
       ++known->fold;
     else
-      axes.push_back({point, upward(turn.axis()), 2});
+      axes.push_back({.fold = 2, .axis = upward(turn.axis()), .point = point});
   }
-  std::stable_sort(axes.begin(), axes.end(),
-                   [](const Rotation& a, const Rotation& b) { return a.fold > b.fold; });
-  std::vector<Generator> result(axes.begin(), axes.end());
+  std::stable_sort(
+      axes.begin(), axes.end(),
+      [](const model::Rotation& a, const model::Rotation& b) { return a.fold > b.fold; });
+  std::vector<model::SymmetryGenerator> result(axes.begin(), axes.end());
   result.insert(result.end(), planes.begin(), planes.end());
   return result;
 }
@@ -88,34 +82,44 @@ std::string text(const Eigen::Vector3d& v) {
   return out.str();
 }
 
-std::string text(const Generator& generator) {
+// The generator with a point, where it has none: that of all symmetries.
+model::SymmetryGenerator placed(model::SymmetryGenerator generator, const Figure& figure) {
+  std::visit(
+      [&](auto& element) {
+        if (!element.point) element.point = centroid(figure);
+      },
+      generator);
+  return generator;
+}
+
+std::string text(const model::SymmetryGenerator& generator) {
   std::ostringstream out;
-  if (const auto* rotation = std::get_if<Rotation>(&generator))
+  if (const auto* rotation = std::get_if<model::Rotation>(&generator))
     out << "the " << rotation->fold << "-fold rotation about the axis " << text(rotation->axis)
-        << " through " << text(rotation->point);
+        << " through " << text(*rotation->point);
   else
-    out << "the reflection with normal " << text(std::get<Reflection>(generator).normal)
-        << " in the plane through " << text(std::get<Reflection>(generator).point);
+    out << "the reflection with normal " << text(std::get<model::Reflection>(generator).normal)
+        << " in the plane through " << text(*std::get<model::Reflection>(generator).point);
   return out.str();
 }
 
-Operation map_of_space(const Generator& generator, const Eigen::Vector3d& centre) {
+Operation map_of_space(const model::SymmetryGenerator& generator, const Eigen::Vector3d& centre) {
   Operation result;
   Eigen::Vector3d point;
-  if (const auto* rotation = std::get_if<Rotation>(&generator)) {
+  if (const auto* rotation = std::get_if<model::Rotation>(&generator)) {
     core::require(rotation->fold >= 2 && rotation->axis.allFinite() && rotation->axis.norm() > 0.0,
                   "symmetry: a rotation needs fold >= 2 and an axis that is not zero");
     result.matrix =
         Eigen::AngleAxisd(2.0 * std::numbers::pi / rotation->fold, rotation->axis.normalized())
             .toRotationMatrix();
-    point = rotation->point;
+    point = *rotation->point;
   } else {
-    const auto& reflection = std::get<Reflection>(generator);
+    const auto& reflection = std::get<model::Reflection>(generator);
     core::require(reflection.normal.allFinite() && reflection.normal.norm() > 0.0,
                   "symmetry: a reflection needs a normal that is not zero");
     const Eigen::Vector3d normal = reflection.normal.normalized();
     result.matrix -= 2.0 * normal * normal.transpose();
-    point = reflection.point;
+    point = *reflection.point;
   }
   core::require(point.allFinite(), "symmetry: a point must be finite");
   result.translation = point - centre - result.matrix * (point - centre);
@@ -123,7 +127,8 @@ Operation map_of_space(const Generator& generator, const Eigen::Vector3d& centre
 }
 
 // What is wrong with a generator that does not map the figure onto itself.
-std::string complaint(const Generator& generator, const Misfit& worst, double tolerance) {
+std::string complaint(const model::SymmetryGenerator& generator, const Misfit& worst,
+                      double tolerance) {
   std::ostringstream out;
   out << text(generator) << " does not map the curves onto themselves: ";
   if (worst.rod >= 0)
@@ -141,27 +146,24 @@ std::string objection(const Options& options, const Operation& operation) {
   return options.objection ? options.objection(operation) : std::string();
 }
 
-}  // namespace
+struct Found {
+  Operation operation;
+  double misfit;
+};
 
-Symmetry detect(const Figure& figure, const Options& options) {
-  validate(figure);
-  validate(options);
-  const Sampled sampled = sample(figure);
+// All operations that map the figure onto itself, each once, the best fit first.
+std::vector<Found> single_operations(const Sampled& sampled, const Options& options) {
   const Candidates guesses = candidates(sampled, options.tolerance, options.continuous_fold);
-  struct Found {
-    Operation operation;
-    double misfit;
-  };
   std::vector<Found> found;
   for (const Eigen::Matrix3d& matrix : guesses.matrices) {
-    // Candidates are good to a few tolerances before they are refined.
+    // Candidates are good to a few tolerances before they are polished.
     auto operation = match(sampled, matrix, Eigen::Vector3d::Zero(), 10.0 * options.tolerance);
     if (!operation) continue;
-    refine(sampled, *operation, guesses.continuous ? Refine::shifts : Refine::shifts_and_map);
+    polish(sampled, *operation, guesses.continuous ? Polish::shifts : Polish::shifts_and_map);
     const double miss = misfit(sampled, *operation).relative;
     if (miss > options.tolerance || !objection(options, *operation).empty()) continue;
     const auto known = std::find_if(found.begin(), found.end(), [&](const Found& other) {
-      return same_operation(other.operation, *operation, figure.rods);
+      return same_operation(other.operation, *operation, sampled.figure.rods);
     });
     if (known == found.end())
       found.push_back({std::move(*operation), miss});
@@ -170,15 +172,20 @@ Symmetry detect(const Figure& figure, const Options& options) {
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Found& a, const Found& b) { return a.misfit < b.misfit; });
-  // Operations just within the tolerance may have products that are not: the best fit first, the
-  // group grows as long as all of it fits.
+  return found;
+}
+
+// Operations just within the tolerance may have products that are not: the best fit first, the
+// group grows as long as all of it fits. `worst`: its largest misfit.
+Group largest_group(const Sampled& sampled, const std::vector<Found>& found, const Options& options,
+                    double& worst) {
+  const Figure& figure = sampled.figure;
   const int anchors = static_cast<int>(figure.anchors.cols());
   const auto make_group = [&](const std::vector<Operation>& generators) {
     return closure(generators, figure.rods, anchors, options.max_order);
   };
   std::vector<Operation> generators;
   Group group = make_group(generators).value();
-  double worst = 0.0;
   for (const Found& candidate : found) {
     const bool known = std::any_of(
         group.operations.begin(), group.operations.end(), [&](const Operation& operation) {
@@ -195,28 +202,47 @@ Symmetry detect(const Figure& figure, const Options& options) {
     group = std::move(*larger);
     worst = larger_worst;
   }
+  return group;
+}
+
+}  // namespace
+
+void Options::validate() const {
+  core::require(tolerance > 0.0 && tolerance < 0.05,
+                "symmetry::Options::tolerance must be between 0 and 0.05");
+  core::require(max_order >= 1, "symmetry::Options::max_order must be positive");
+  core::require(continuous_fold >= 1, "symmetry::Options::continuous_fold must be positive");
+}
+
+Symmetry detect(const Figure& figure, const Options& options) {
+  validate(figure);
+  options.validate();
+  const Sampled sampled = sample(figure);
+  double worst = 0.0;
+  Group group = largest_group(sampled, single_operations(sampled, options), options, worst);
   return finish(sampled, std::move(group), worst);
 }
 
-core::Expected<Symmetry> verify(const Figure& figure, std::span<const Generator> generators,
+core::Expected<Symmetry> verify(const Figure& figure,
+                                std::span<const model::SymmetryGenerator> generators,
                                 const Options& options) {
   validate(figure);
-  validate(options);
+  options.validate();
   const Sampled sampled = sample(figure);
   std::vector<Operation> operations;
   for (std::size_t i = 0; i < generators.size(); ++i) {
     const std::string where = "symmetry[" + std::to_string(i) + "]";
-    const Operation wanted = map_of_space(generators[i], sampled.centre);
+    const model::SymmetryGenerator generator = placed(generators[i], figure);
+    const Operation wanted = map_of_space(generator, sampled.centre);
     auto operation = match(sampled, wanted.matrix, wanted.translation, 0.0);
     if (!operation)
-      return core::Error{where,
-                         text(generators[i]) + " brings two rods or anchors to the same one"};
-    refine(sampled, *operation, Refine::shifts);
+      return core::Error{where, text(generator) + " brings two rods or anchors to the same one"};
+    polish(sampled, *operation, Polish::shifts);
     const Misfit worst = misfit(sampled, *operation);
     if (worst.relative > options.tolerance)
-      return core::Error{where, complaint(generators[i], worst, options.tolerance)};
+      return core::Error{where, complaint(generator, worst, options.tolerance)};
     if (const std::string broken = objection(options, *operation); !broken.empty())
-      return core::Error{where, text(generators[i]) + " is none of the scene: it " + broken};
+      return core::Error{where, text(generator) + " is not a symmetry of the scene: it " + broken};
     operations.push_back(std::move(*operation));
   }
   auto group =

@@ -18,4 +18,17 @@ void validate(const Figure& figure) {
   core::require(figure.anchors.allFinite(), "figure: anchors must be finite");
 }
 
+Eigen::Vector3d centroid(const Figure& figure) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double length = 0;
+  for (const auto& curve : figure.curves) {
+    const Eigen::VectorXd edges = geometry::edge_lengths(curve);
+    for (Eigen::Index i = 0; i < edges.size(); ++i)
+      sum += edges[i] / 2 * (curve.points.col(i) + curve.points.col((i + 1) % curve.points.cols()));
+    length += edges.sum();
+  }
+  const Eigen::Vector3d middle = sum / length;
+  return (middle.array().abs() > 1e-12 * length).select(middle, 0);
+}
+
 }  // namespace tencer::symmetry

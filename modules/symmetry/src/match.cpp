@@ -121,12 +121,12 @@ std::optional<Operation> match(const Sampled& sampled, const Eigen::Matrix3d& ma
   return result;
 }
 
-void refine(const Sampled& sampled, Operation& operation, Refine what) {
+void polish(const Sampled& sampled, Operation& operation, Polish what) {
   const Figure& figure = sampled.figure;
   const int rods = static_cast<int>(figure.rods.size());
   // Gauss-Newton. Unknowns: a turn and a translation of space, then one shift a rod; lengths over
   // the diagonal, shifts over the rod's length.
-  const int map_unknowns = what == Refine::shifts_and_map ? 6 : 0;
+  const int map_unknowns = what == Polish::shifts_and_map ? 6 : 0;
   const int unknowns = map_unknowns + rods;
   for (int iteration = 0; iteration < 20; ++iteration) {
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(unknowns, unknowns);

@@ -29,7 +29,7 @@ std::optional<Operation> match(const Sampled& sampled, const Eigen::Matrix3d& ma
 
 // Least squares over all rods together: of the shifts along closed rods and, if asked, of the map
 // of space too. Keeps which rod goes where.
-enum class Refine { shifts, shifts_and_map };
-void refine(const Sampled& sampled, Operation& operation, Refine what);
+enum class Polish { shifts, shifts_and_map };
+void polish(const Sampled& sampled, Operation& operation, Polish what);
 
 }  // namespace tencer::symmetry

@@ -8,20 +8,22 @@
 namespace tencer::symmetry {
 namespace {
 
-constexpr std::array<Kind, 2> positions{Kind::position_a, Kind::position_b};
+using springs::ParameterKind;
+
+constexpr std::array positions{ParameterKind::position_a, ParameterKind::position_b};
 
 struct Orbit {
   OwnSymmetry first;
-  int stiffness = 0;                    // its column
+  int strength = 0;                     // its column
   std::array<int, 2> position{-1, -1};  // the columns of its free positions
 };
 
-Orbit start_orbit(Ties& ties, int cable, OwnSymmetry first) {
-  const auto add = [&](Kind kind) {
+Orbit start_orbit(Ties& ties, int cable, ParameterKind strength, OwnSymmetry first) {
+  const auto add = [&](ParameterKind kind) {
     ties.free.push_back({kind, cable});
     return static_cast<int>(ties.free.size()) - 1;
   };
-  Orbit orbit{.first = std::move(first), .stiffness = add(Kind::stiffness)};
+  Orbit orbit{.first = std::move(first), .strength = add(strength)};
   for (int end = 0; end < 2; ++end)
     if (orbit.first.free[end]) orbit.position[end] = add(positions[end]);
   return orbit;
@@ -29,7 +31,10 @@ Orbit start_orbit(Ties& ties, int cable, OwnSymmetry first) {
 
 }  // namespace
 
-Ties tie_cables(std::span<const springs::Cable> cables, const Group& group, double tolerance) {
+Ties tie_cables(std::span<const springs::Cable> cables, const Group& group, ParameterKind strength,
+                double tolerance) {
+  core::require(strength == ParameterKind::stiffness || strength == ParameterKind::rest_length,
+                "tie_cables: the strength is a stiffness or a rest length");
   for (const springs::Cable& cable : cables) validate(cable, group);
   Ties ties;
   std::vector<Orbit> orbits;
@@ -41,7 +46,7 @@ Ties tie_cables(std::span<const springs::Cable> cables, const Group& group, doub
     auto found = index.find(cables[i]);
     if (!found) {
       const int number = static_cast<int>(orbits.size());
-      orbits.push_back(start_orbit(ties, i, own_symmetry(cables[i], group, tolerance)));
+      orbits.push_back(start_orbit(ties, i, strength, own_symmetry(cables[i], group, tolerance)));
       const springs::Cable& first = orbits.back().first.cable;
       for (int g = 0; g < group.order(); ++g)
         index.add(image(group.operations[g], first, group.rods), number * group.order() + g);
@@ -50,12 +55,12 @@ Ties tie_cables(std::span<const springs::Cable> cables, const Group& group, doub
     const Orbit& orbit = orbits[found->value / group.order()];
     const Operation& operation = group.operations[found->value % group.order()];
     ties.orbit.push_back(found->value / group.order());
-    const auto add_row = [&](Kind kind) {
+    const auto add_row = [&](ParameterKind kind) {
       ties.parameters.push_back({kind, i});
       offset.push_back(0.0);
       return static_cast<int>(offset.size()) - 1;
     };
-    entries.emplace_back(add_row(Kind::stiffness), orbit.stiffness, 1.0);
+    entries.emplace_back(add_row(strength), orbit.strength, 1.0);
     const std::array<springs::End, 2> own{cables[i].a, cables[i].b};
     const std::array<springs::End, 2> first{orbit.first.cable.a, orbit.first.cable.b};
     for (int end = 0; end < 2; ++end) {

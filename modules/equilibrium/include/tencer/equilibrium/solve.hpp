@@ -28,7 +28,7 @@ struct Linearisation {
 };
 
 // Factorises the Hessian at `state` into `at`.
-void linearise(const System& system, const State& state, Linearisation& at);
+void linearise(const System& system, const model::State& state, Linearisation& at);
 
 struct SolveOptions {
   double tolerance = 1e-10;   // on the residual, see Equilibrium
@@ -37,7 +37,7 @@ struct SolveOptions {
   int patience = 24;          // steps that may pass without a lower energy before a line search
   // Ends when the largest turns of an edge, added up over the steps, exceed this (in radians,
   // about): for those who look for an equilibrium near the start, or none.
-  double farthest = std::numeric_limits<double>::infinity();
+  double max_path_rotation = std::numeric_limits<double>::infinity();
   // Of edges and cables near the start, where they are known better than by the start's lengths: a
   // change of shape predicted to first order leaves stiff edges far from the forces they will have.
   std::optional<InternalForces> forces{};
@@ -53,7 +53,7 @@ enum class Reason {
   uncertain,  // forces in balance as far as rounding allows, which leaves edges free to turn by
               // more than 1e-6
   iteration_limit,
-  strayed,     // SolveOptions::farthest was reached
+  path_limit,  // SolveOptions::max_path_rotation was reached
   no_descent,  // no step lowers the energy although forces are not in balance
   not_held,    // a load on rods that no support holds against it
   not_finite,  // the starting state has infinite or undefined energy
@@ -61,7 +61,7 @@ enum class Reason {
 };
 
 struct Equilibrium {
-  State state{};  // the best state found, also when the solve failed
+  model::State state{};  // the best state found, also when the solve failed
   Reason reason = Reason::iteration_limit;
   double residual = 0.0;  // |gradient| / (|gradient of the rods| + EI / L^2), of the worst rod
   double energy = 0.0;
@@ -84,11 +84,11 @@ std::string describe(Reason reason);
 // their own (eliminated edge by edge): the geometric stiffness uses forces predicted by the last
 // step. Stretching hardly slows it, however slender the rods. Steps that raise the energy are
 // allowed for a while (a watchdog: `patience`), then undone by a line search.
-Equilibrium solve(const System& system, State start, const SolveOptions& options,
+Equilibrium solve(const System& system, model::State start, const SolveOptions& options,
                   Linearisation& workspace);
-Equilibrium solve(const System& system, State start, const SolveOptions& options = {});
+Equilibrium solve(const System& system, model::State start, const SolveOptions& options = {});
 
 // |gradient| relative to the rods' internal force, as in Equilibrium::residual.
-double residual(const System& system, const State& state);
+double residual(const System& system, const model::State& state);
 
 }  // namespace tencer::equilibrium

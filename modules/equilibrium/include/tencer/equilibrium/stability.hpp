@@ -14,25 +14,25 @@ namespace tencer::equilibrium {
 // statically.
 struct Stability {
   double smallest_eigenvalue = 0.0;
-  double rounding = 0.0;   // what rounding of the Hessian may have done to it
-  int negative = 0;        // how many eigenvalues are negative
-  int loose_groups = 0;    // groups of rods free to move against each other at no cost
-  bool computed = false;   // false: the eigenvalue iteration failed; nothing is certified
-  Eigen::VectorXd mode{};  // of the smallest eigenvalue, in free unknowns, largest entry 1
+  double rounding = 0.0;        // what rounding of the Hessian may have done to it
+  int negative = 0;             // how many eigenvalues are negative
+  int floating_components = 0;  // groups of rods free to move against each other at no cost
+  bool computed = false;        // false: the eigenvalue iteration failed; nothing is certified
+  Eigen::VectorXd mode{};       // of the smallest eigenvalue, in free unknowns, largest entry 1
 
   bool stable() const {
-    return computed && negative == 0 && loose_groups == 0 && smallest_eigenvalue > rounding;
+    return computed && negative == 0 && floating_components == 0 && smallest_eigenvalue > rounding;
   }
 };
 
 // With the cables as the springs they are.
-Stability stability(const System& system, const State& state);
+Stability stability(const System& system, const model::State& state);
 
 // With every cable in `taut` (indices into the structure's cables) inextensible and pulling with
 // `tensions` (one per cable of the structure, >= 0), the others slack: the Hessian of the
 // Lagrangian on the motions that keep the taut lengths. The cables' own stiffness and rest length
 // do not count.
-Stability stability_inextensible(const Structure& structure, const State& state,
+Stability stability_inextensible(const model::Structure& structure, const model::State& state,
                                  const Eigen::VectorXd& tensions, const std::vector<int>& taut);
 
 }  // namespace tencer::equilibrium

@@ -12,6 +12,9 @@ namespace tencer::io {
 
 using CsvRow = std::vector<std::string>;
 
+// The shortest text that reads back as the same double.
+std::string to_text(double number);
+
 // The row with its line end.
 std::string csv_line(std::span<const std::string> fields);
 

@@ -1,28 +1,31 @@
-// The equilibrium of a design file: where the structure settles.
+// Where a designed structure comes to rest.
 #pragma once
 
-#include <stop_token>
-#include <string>
 #include <tencer/core/error.hpp>
 #include <tencer/equilibrium/solve.hpp>
-#include <tencer/io/design.hpp>
-#include <tencer/pipeline/convert.hpp>
+#include <tencer/model/design.hpp>
 
 namespace tencer::pipeline {
 
 enum class Start { target, pose };
 
+// How the cables of a design are taken. Springs need a stiffness and a rest length.
+enum class Cables { springs, inextensible };
+
 struct SimulateOptions {
   Start start = Start::pose;
   Cables cables = Cables::inextensible;
-  int refine = 1;  // edges into which every edge is divided first, see refined()
+  int refine = 1;  // edges into which every edge is divided first, see model::subdivided
   equilibrium::SolveOptions solve{};
+
+  // Throws std::invalid_argument, naming the field, unless refine >= 1.
+  void validate() const;
 };
 
-struct Simulation {
+struct [[nodiscard]] Simulation {
   // The input, refined as asked, with the pose, tensions, error and certificate found; its status
   // tells when the state is not usable.
-  io::Design design{};
+  model::Design design{};
   equilibrium::Reason reason = equilibrium::Reason::iteration_limit;
   int unknowns = 0;
   int iterations = 0;
@@ -40,6 +43,7 @@ struct Simulation {
 
 // Errors name the cable: springs are asked for and it has no stiffness, or its ends are the same
 // point at the start.
-core::Expected<Simulation> simulate(const io::Design& design, const SimulateOptions& options = {});
+core::Expected<Simulation> simulate(const model::Design& design,
+                                    const SimulateOptions& options = {});
 
 }  // namespace tencer::pipeline

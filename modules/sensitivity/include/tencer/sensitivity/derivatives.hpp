@@ -10,8 +10,8 @@
 #include <Eigen/Core>
 #include <Eigen/Sparse>
 #include <span>
+#include <tencer/sensitivity/distance.hpp>
 #include <tencer/sensitivity/parameters.hpp>
-#include <tencer/sensitivity/target.hpp>
 #include <tencer/sensitivity/tracker.hpp>
 
 namespace tencer::sensitivity {
@@ -20,13 +20,15 @@ namespace tencer::sensitivity {
 Eigen::VectorXd adjoint(const Configuration& at, const Distance& distance);
 
 // dT/dp = y^T dg/dp, P entries.
-Eigen::VectorXd gradient(const Configuration& at, std::span<const Parameter> parameters,
+Eigen::VectorXd gradient(const Configuration& at, std::span<const springs::Parameter> parameters,
                          const Eigen::VectorXd& adjoint);
 
 // dx*/dp = -H^+ dg/dp, size x P, P solves.
-Eigen::MatrixXd state_derivatives(const Configuration& at, std::span<const Parameter> parameters);
+Eigen::MatrixXd state_derivatives(const Configuration& at,
+                                  std::span<const springs::Parameter> parameters);
 // dx*/dz for parameters p = p0 + ties z (ties: P x Z), size x Z, Z solves.
-Eigen::MatrixXd state_derivatives(const Configuration& at, std::span<const Parameter> parameters,
+Eigen::MatrixXd state_derivatives(const Configuration& at,
+                                  std::span<const springs::Parameter> parameters,
                                   const Eigen::SparseMatrix<double>& ties);
 
 // T near the configuration as |residual + jacobian dp|^2, rigid motion projected out (see
@@ -41,12 +43,13 @@ struct LeastSquares {
 LeastSquares least_squares(const Distance& distance, const Eigen::MatrixXd& state_derivatives);
 
 // d2T/dp2 times q (P), exact, two solves.
-Eigen::VectorXd hessian_times(const Configuration& at, std::span<const Parameter> parameters,
+Eigen::VectorXd hessian_times(const Configuration& at,
+                              std::span<const springs::Parameter> parameters,
                               const Distance& distance, const Eigen::VectorXd& adjoint,
                               const Eigen::VectorXd& q);
 
 // d2T/dp2, P x P, exact and symmetric, no solve beyond those in state_derivatives.
-Eigen::MatrixXd hessian(const Configuration& at, std::span<const Parameter> parameters,
+Eigen::MatrixXd hessian(const Configuration& at, std::span<const springs::Parameter> parameters,
                         const Distance& distance, const Eigen::VectorXd& adjoint,
                         const Eigen::MatrixXd& state_derivatives);
 

@@ -12,7 +12,7 @@ namespace tencer::sensitivity {
 // An equilibrium with its factorised Hessian, which is what derivatives need.
 struct Configuration {
   equilibrium::System system;
-  equilibrium::State state{};
+  model::State state{};
   equilibrium::Linearisation linearisation{};
 
   const std::vector<springs::Cable>& cables() const { return system.structure().cables; }
@@ -60,7 +60,7 @@ class Tracker {
  public:
   // Solves for the structure's equilibrium from `start`, which becomes the committed configuration
   // when first().usable(). Throws std::invalid_argument for an unusable structure.
-  Tracker(equilibrium::Structure structure, equilibrium::State start, TrackerOptions options = {});
+  Tracker(model::Structure structure, model::State start, TrackerOptions options = {});
 
   const equilibrium::Equilibrium& first() const { return first_; }
   const Configuration& committed() const { return committed_; }

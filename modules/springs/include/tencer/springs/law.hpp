@@ -25,4 +25,8 @@ Eigen::Matrix3d stiffness_matrix(const Cable& cable, const Eigen::Vector3d& d, d
 // the same equilibrium with another stiffness (paper section 4, "Cables"). Requires length > 0.
 Cable rebased(const Cable& cable, double length, double rho);
 
+// `cable` as a spring that pulls with `tension` at this length, its rest length rest_ratio (in
+// [0, 1)) times the length. Requires length > 0.
+Cable with_tension(Cable cable, double length, double tension, double rest_ratio);
+
 }  // namespace tencer::springs

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <tencer/core/error.hpp>
+#include <tencer/model/symmetry.hpp>
 #include <tencer/symmetry/figure.hpp>
 #include <tencer/symmetry/group.hpp>
 #include <vector>
@@ -23,14 +24,19 @@ struct Options {
   int max_order = 240;
   int continuous_fold = 12;
   std::function<std::string(const Operation&)> objection{};  // may be empty
+
+  // Throws std::invalid_argument, naming the field, unless tolerance is in (0, 0.05) and the
+  // others are positive.
+  void validate() const;
 };
 
 // misfit: the largest over the group's operations. elements: the group's axes, each with its
-// highest fold, highest first, and then its mirror planes; `verify` makes the group of them again,
-// but for the rare ones that hold an inversion or rotary reflection these do not make.
+// highest fold, highest first, and then its mirror planes, all with their points; `verify` makes
+// the group of them again, but for the rare ones that hold an inversion or rotary reflection these
+// do not make.
 struct Symmetry {
   Group group{};
-  std::vector<Generator> elements{};
+  std::vector<model::SymmetryGenerator> elements{};
   double misfit = 0.0;
 };
 
@@ -41,7 +47,8 @@ Symmetry detect(const Figure& figure, const Options& options = {});
 // The group that the generators make. Error{"symmetry[i]", ...} when generator i misses the figure,
 // saying by how much and where, or meets an objection, or Error{"symmetry", ...} when they do not
 // make a finite group.
-core::Expected<Symmetry> verify(const Figure& figure, std::span<const Generator> generators,
+core::Expected<Symmetry> verify(const Figure& figure,
+                                std::span<const model::SymmetryGenerator> generators,
                                 const Options& options = {});
 
 }  // namespace tencer::symmetry

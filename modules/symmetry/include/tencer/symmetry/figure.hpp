@@ -1,10 +1,9 @@
-// What may be symmetric - curves and anchors - and the rotations and reflections a person names.
+// What may be symmetric: curves and anchors.
 #pragma once
 
 #include <Eigen/Core>
 #include <tencer/geometry/arc_length.hpp>
 #include <tencer/geometry/polyline.hpp>
-#include <variant>
 #include <vector>
 
 namespace tencer::symmetry {
@@ -23,19 +22,7 @@ struct Figure {
 // Throws std::invalid_argument unless the parts of `figure` fit together; needs at least one rod.
 void validate(const Figure& figure);
 
-// By 2 pi / fold about the line through `point` along `axis`. fold >= 2, axis of any length > 0.
-struct Rotation {
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  int fold = 2;
-};
-
-// In the plane through `point` across `normal`, of any length > 0.
-struct Reflection {
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-};
-
-using Generator = std::variant<Rotation, Reflection>;
+// The centroid of the rods' length, which every symmetry keeps; what is zero but for rounding is 0.
+Eigen::Vector3d centroid(const Figure& figure);
 
 }  // namespace tencer::symmetry

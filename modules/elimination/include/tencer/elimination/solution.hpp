@@ -1,0 +1,31 @@
+// Networks that an elimination found.
+#pragma once
+
+#include <tencer/model/goal.hpp>
+#include <tencer/network/stage.hpp>
+#include <vector>
+
+namespace tencer::elimination {
+
+// A network that was fitted and is in stable equilibrium with every cable pulling, its cables as
+// good as inextensible.
+struct Solution {
+  network::Network network{};
+  double max_percent = 0.0;  // distance from the target, in % of its diagonal
+  double rms_percent = 0.0;
+  // In the units of equilibrium::Stability: an upper bound, from three approximate modes.
+  double smallest_eigenvalue = 0.0;
+  bool settles = false;  // as built, and let go at the target, it comes to rest in this pose
+
+  int cables() const { return cable_count(network); }
+  model::Score score() const { return {cables(), max_percent, settles}; }
+};
+
+struct [[nodiscard]] EliminationResult {
+  // Its network is what the goal asks for, or what came nearest to it.
+  network::StageResult stage{};
+  // The fewest cables first, each closer to the target than all with fewer cables.
+  std::vector<Solution> solutions{};
+};
+
+}  // namespace tencer::elimination

@@ -1,0 +1,49 @@
+// The structure as it is built: cables that can neither stretch nor push (paper section 4,
+// "Cables"), where it comes to rest, and what is certain of a state of it.
+#pragma once
+
+#include <Eigen/Core>
+#include <tencer/equilibrium/solve.hpp>
+#include <tencer/equilibrium/stability.hpp>
+#include <tencer/model/certificate.hpp>
+#include <vector>
+
+namespace tencer::equilibrium {
+
+struct [[nodiscard]] InextensibleEquilibrium {
+  Equilibrium equilibrium{};   // its residual includes the tensions
+  Eigen::VectorXd tensions{};  // per cable, >= 0
+  double stretch = 0.0;        // largest excess of a cable over its length, relative to the length
+  int rounds = 0;              // updates of the tensions
+};
+
+// Where the structure comes to rest from `start` with every cable's length limited to its
+// rest_length (stiffness and tension_only are ignored): method of multipliers on tension-only
+// springs. Usable when equilibrium.usable() holds; then stretch <= 1e-10 or as small as rounding
+// allows. Throws std::invalid_argument for a cable without length.
+InextensibleEquilibrium relax_inextensible(const model::Structure& structure, model::State start,
+                                           const SolveOptions& options = {});
+
+// What is found out about a structure at a state with inextensible cables of the lengths they have
+// there.
+struct [[nodiscard]] Assessment {
+  double residual = 0.0;       // force balance relative to the rods' internal force
+  double turn = 0.0;           // of an edge, radians, by the Newton step to full balance
+  Eigen::VectorXd tensions{};  // per cable; those of slack cables are 0
+  std::vector<int> slack{};    // cables that would have to push, or do nothing
+  Stability stability{};
+
+  // Forces balance to 1e-6, or as far as rounding allows in a rod so slender that its own axial
+  // force is not known better; no cable is slack, and the state is stable.
+  bool certified() const {
+    return (residual <= 1e-6 || turn <= 1e-8) && slack.empty() && stability.stable();
+  }
+  model::Certificate certificate() const;
+};
+
+// `tensions`: as the equilibrium has them, one per cable; a cable pulling with less than 1e-9 of
+// the largest tension is slack. Throws std::invalid_argument unless there is one per cable.
+Assessment assess(const model::Structure& structure, const model::State& state,
+                  const Eigen::VectorXd& tensions);
+
+}  // namespace tencer::equilibrium

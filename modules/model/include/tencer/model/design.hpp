@@ -1,0 +1,77 @@
+// A design: a structure with the pose in which it stands, and what is known of it, as plain data in
+// the user's units.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <tencer/geometry/polyline.hpp>
+#include <tencer/model/certificate.hpp>
+#include <tencer/model/goal.hpp>
+#include <tencer/model/stage_row.hpp>
+#include <tencer/model/structure.hpp>
+#include <vector>
+
+namespace tencer::model {
+
+// Distance of the pose to the target in percent of the target's bounding-box diagonal.
+struct DesignError {
+  double max_percent = 0.0;
+  double rms_percent = 0.0;
+};
+
+// A cable as it is built: it can neither stretch nor push.
+struct BuiltCable {
+  double length = 0.0;
+  double tension = 0.0;
+};
+
+enum class DesignStatus { complete, tolerance_not_reached, interrupted };
+
+struct Design {
+  std::string name{};
+  DesignStatus status = DesignStatus::complete;
+  std::string length_unit = "cm";
+  std::string force_unit = "N";
+  // Its cables as springs; those of stiffness 0 are known as built only.
+  Structure structure{};
+  std::vector<BuiltCable> built{};         // one a cable
+  std::vector<Eigen::Matrix3Xd> target{};  // per rod, 3 x n
+  std::vector<Eigen::Matrix3Xd> pose{};    // per rod, 3 x n
+  // Per rod, 3 x edges: where the section's first axis points on every edge, as far as it is
+  // perpendicular to the edge. No columns: not known, or of no consequence.
+  std::vector<Eigen::Matrix3Xd> target_directors{};
+  std::vector<Eigen::Matrix3Xd> pose_directors{};
+  std::optional<DesignError> error = std::nullopt;  // not set in a design that nobody solved yet
+  std::optional<Certificate> certificate = std::nullopt;  // likewise
+  std::vector<StageRow> trace{};                          // error against run time
+  std::optional<Goal> goal = std::nullopt;  // what was asked for; not in design files
+
+  bool complete() const { return status == DesignStatus::complete; }
+
+  // One line: whether it is complete, how many cables, how close, whether it stands.
+  std::string brief_report() const;
+  // Several lines: what was asked for and why the search ended so, the cables, the error, the
+  // certificate, and the stages with their times.
+  std::string full_report() const;
+};
+
+// Why the design is not what was asked for, a clause each: "it does not stand"; none: it is.
+std::vector<std::string> shortfalls(const Design& design);
+
+// The cables, the error and the certificate in words, a line each.
+std::string summary(const Design& design);
+
+// What a goal judges of a design that has an error.
+Score score_of(const Design& design);
+
+// How many of its cables end at anchors.
+int external_cables(const Design& design);
+
+// The curve that a rod's pose is.
+geometry::Polyline pose_curve(const Design& design, std::size_t rod);
+
+// The structure with cables that are as long as they are built: their rest length.
+Structure as_built(const Design& design);
+
+}  // namespace tencer::model

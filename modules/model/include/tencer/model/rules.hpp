@@ -1,0 +1,52 @@
+// Which cables a design may have.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <tencer/model/structure.hpp>
+#include <vector>
+
+namespace tencer::model {
+
+struct RodPair {
+  int a = 0;
+  int b = 0;  // may be the same rod
+};
+
+// A part of a rod between two arc lengths at rest, ends included; from == to is one place. On a
+// closed rod an arc with to < from runs across the seam.
+struct Arc {
+  int rod = 0;
+  double from = 0.0;
+  double to = 0.0;
+};
+
+// Lengths are in the structure's units.
+struct Rules {
+  std::optional<std::vector<RodPair>> pairs{};  // rods that cables may join; not set: any
+  std::vector<Arc> forbidden{};                 // where no cable may attach
+  double max_cable_length = std::numeric_limits<double>::infinity();
+  bool external = true;  // cables to anchors, when the structure has any
+};
+
+// Throws std::invalid_argument, naming the field, unless rods exist, arcs lie on their rod and
+// max_cable_length is positive.
+void validate(const Rules& rules, const Structure& structure);
+
+// Whether cables may join two rods.
+bool pair_allowed(const Rules& rules, int rod_a, int rod_b);
+
+// Whether a cable may attach at arc length s of a rod (any s on a closed rod).
+bool place_allowed(const Rules& rules, const Structure& structure, int rod, double s);
+
+struct Interval {
+  double lower = 0.0;
+  double upper = 0.0;
+};
+
+// How far a cable end may slide from an allowed place s without leaving its rod or entering a
+// forbidden arc; the bounds are allowed places. On a closed rod without forbidden arcs: one length
+// of the rod either way.
+Interval sliding_interval(const Rules& rules, const Structure& structure, int rod, double s);
+
+}  // namespace tencer::model

@@ -1,0 +1,29 @@
+#include <algorithm>
+#include <tencer/model/design.hpp>
+
+namespace tencer::model {
+
+Score score_of(const Design& design) {
+  return {.cables = static_cast<int>(design.structure.cables.size()),
+          .max_percent = design.error->max_percent,
+          .settles = design.certificate && design.certificate->settles_from_target.value_or(false)};
+}
+
+int external_cables(const Design& design) {
+  return static_cast<int>(std::ranges::count_if(design.structure.cables, is_external));
+}
+
+geometry::Polyline pose_curve(const Design& design, std::size_t rod) {
+  return {design.pose[rod], design.structure.rods[rod].closed};
+}
+
+Structure as_built(const Design& design) {
+  Structure structure = design.structure;
+  for (std::size_t c = 0; c < structure.cables.size(); ++c) {
+    structure.cables[c].stiffness = 0;
+    structure.cables[c].rest_length = design.built[c].length;
+  }
+  return structure;
+}
+
+}  // namespace tencer::model

@@ -1,0 +1,34 @@
+// From the dense network to one that only pulls, and from that to fewer springs (paper section
+// 5.2).
+#pragma once
+
+#include <functional>
+#include <tencer/model/target.hpp>
+#include <tencer/network/stage.hpp>
+
+namespace tencer::sparsify {
+
+// Takes out all springs in compression and solves again, until none is left. network.state is where
+// the first solve starts.
+network::StageResult prune(const network::Network& network, const model::Target& target,
+                           const network::Control& control = {});
+
+struct GreedyOptions {
+  // The removal ends when |x - target| (all coordinates of all n vertices) exceeds threshold * n *
+  // L, L the rods' total length; the paper's 5e-6 L n. That is an rms distance of threshold *
+  // sqrt(n) * L.
+  double threshold = 5e-6;
+  int min_springs = 1;  // the removal ends with at most so many
+
+  // Throws std::invalid_argument, naming the field, unless both are positive.
+  void validate() const;
+};
+
+// Takes out the spring with the smallest tension, then those that came into compression, again and
+// again. The result is the last network within the threshold, or the given one when that exceeds
+// it.
+network::StageResult remove_greedily(const network::Network& network, const model::Target& target,
+                                     const GreedyOptions& options = {},
+                                     const network::Control& control = {});
+
+}  // namespace tencer::sparsify
