@@ -34,6 +34,7 @@ that was interrupted goes on where it was. The closed forms go to closed-forms.c
 
 struct StudyRequest {
   study::Choice choice{.methods = {"force-balance", "dense-springs"}, .resolutions = {1.0}};
+  std::vector<std::string> optimizers;
   std::filesystem::path output;
   double time_limit = 600.0;
   bool again = false;
@@ -115,26 +116,27 @@ core::Expected<std::vector<study::Row>> rows_so_far(const std::filesystem::path&
   return study::parse_table(table, *text);
 }
 
-// The optimizers asked for, or of those with a name in the paper's route the ones of this build.
-core::Expected<std::vector<std::string>> optimizers_of(const StudyRequest& request) {
+// Sets the choice's optimizers of each method: those asked for; else for dense-springs those that
+// the paper's route is known with, as far as this build has them, and for force-balance its own.
+std::optional<core::Error> choose_optimizers(const std::vector<std::string>& asked,
+                                             study::Choice& choice) {
   const auto backends = pipeline::backends();
-  std::vector<std::string> names = request.choice.optimizers;
-  for (const auto& name : names)
+  for (const auto& name : asked)
     if (const auto known = optimize::find_backend(backends, name); !known)
       return core::Error{"--optimizers", known.error().message};
-  if (!names.empty()) return names;
+  choice.dense_springs = choice.force_balance = asked;
+  if (!asked.empty()) return std::nullopt;
+  choice.force_balance = {std::string(model::name_of(model::Optimizer::gauss_newton))};
   for (const std::string name : {"ipopt", "mma"})
-    if (optimize::find_backend(backends, name)) names.push_back(name);
-  if (names.empty()) names.push_back(backends.front().name);
-  return names;
+    if (optimize::find_backend(backends, name)) choice.dense_springs.push_back(name);
+  if (choice.dense_springs.empty()) choice.dense_springs.push_back(backends.front().name);
+  return std::nullopt;
 }
 
 core::Expected<ExitCode> run_study(StudyRequest request, const core::Log& log) {
   if (request.choice.scenes.empty() && !request.closed_forms)
     return core::Error{"SCENES", "name scenes or curves to study, or give --closed-forms"};
-  const auto optimizers = optimizers_of(request);
-  if (!optimizers) return optimizers.error();
-  request.choice.optimizers = *optimizers;
+  if (const auto error = choose_optimizers(request.optimizers, request.choice)) return *error;
   const auto runs = study::runs_of(request.choice);
   if (!runs) return runs.error();
   const std::filesystem::path& folder = request.output;
@@ -199,8 +201,8 @@ void add_study(CLI::App& app, Command& chosen) {
       ->check(CLI::IsMember({"force-balance", "dense-springs"}))
       ->capture_default_str();
   command
-      ->add_option("--optimizers", request->choice.optimizers,
-                   "Outer optimizers of dense-springs [ipopt,mma]")
+      ->add_option("--optimizers", request->optimizers,
+                   "Outer optimizers [ipopt,mma for dense-springs, gauss-newton for force-balance]")
       ->delimiter(',')
       ->allow_extra_args(false);
   command

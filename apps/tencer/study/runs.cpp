@@ -88,8 +88,8 @@ core::Expected<std::vector<Run>> runs_of(const Choice& choice) {
                                             ", by which a study knows its scenes; study one of "
                                             "them in a folder of its own"};
     for (const std::string& method : choice.methods) {
-      const std::vector<std::string> own{"gauss-newton"};
-      for (const std::string& optimizer : method == "force-balance" ? own : choice.optimizers)
+      for (const std::string& optimizer :
+           method == "force-balance" ? choice.force_balance : choice.dense_springs)
         for (const double resolution : choice.resolutions)
           runs.push_back({.scene = name,
                           .file = file.string(),
@@ -110,12 +110,10 @@ std::optional<Row> make(const Run& run, const fs::path& folder, double limit,
                                      design_of(folder, run).parent_path().string(),
                                      "--method",
                                      run.method,
+                                     "--optimizer",
+                                     run.optimizer,
                                      "--resolution",
                                      short_text(run.resolution)};
-  if (run.method != "force-balance") {
-    arguments.push_back("--optimizer");
-    arguments.push_back(run.optimizer);
-  }
   arguments.push_back("--");
   arguments.push_back(run.file);
   const ChildEnd end =

@@ -12,12 +12,12 @@ namespace tencer::app::study {
 struct Choice {
   std::vector<std::filesystem::path> scenes{};
   std::vector<std::string> methods{};
-  std::vector<std::string> optimizers{};  // of methods that have a choice
+  std::vector<std::string> force_balance{};  // optimizers of this method
+  std::vector<std::string> dense_springs{};  // and of this one
   std::vector<double> resolutions{};
 };
 
-// Scene after scene, methods, optimizers, resolutions. Force balance has one optimizer of its own,
-// gauss-newton. Error: two scenes of the same name.
+// Scene after scene, methods, optimizers, resolutions. Error: two scenes of the same name.
 core::Expected<std::vector<Run>> runs_of(const Choice& choice);
 
 // The run as a process of its own (`tencer design`), so that whatever becomes of it - a crash, no

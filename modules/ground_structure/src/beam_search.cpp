@@ -149,7 +149,7 @@ Network network_of(const Set& set, const Orbits& orbits, Network network, double
   return network;
 }
 
-// Of each number of cables the network that ends closest to the target.
+// The network that ends closest to the target, for each number of cables.
 class Closest {
  public:
   void add(Network network, double percent) {

@@ -154,7 +154,7 @@ AnchorPull anchor_pull(const Eigen::Vector3d& point, const Eigen::Vector3d& forc
       directions.col(k) = spans.col(trial[k]).normalized().head(dimension);
     Split split = split_along(directions, force.head(dimension));
     if (split.merit < 0) return;
-    // Of equals the first: rounding must not choose.
+    // The first of equals stays: rounding must not choose.
     if (!chosen.empty() && split.merit <= best.merit * (1 + 1e-9)) return;
     best = std::move(split);
     chosen = std::move(trial);

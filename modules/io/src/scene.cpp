@@ -158,8 +158,8 @@ model::SymmetryGenerator read_generator(const TomlTable& table) {
         table.fail(key, "is of a rotation, normal of a reflection; make them two tables");
     return model::Reflection{.normal = direction("normal"), .point = table.point("point")};
   }
-  constexpr int most_folds = 240;
-  return model::Rotation{.fold = table.need("fold", table.integer("fold", 2, most_folds)),
+  constexpr int max_fold = 240;
+  return model::Rotation{.fold = table.need("fold", table.integer("fold", 2, max_fold)),
                          .axis = direction("axis"),
                          .point = table.point("point")};
 }

@@ -1,5 +1,6 @@
 #include "record.hpp"
 
+#include <range/v3/view/zip.hpp>
 #include <tencer/equilibrium/inextensible.hpp>
 #include <tencer/model/frames.hpp>
 #include <tencer/network/network.hpp>
@@ -18,11 +19,9 @@ void record(const Solved& solved, const model::Scaling& scaling, model::Design& 
   const auto assessment = equilibrium::assess(structure, state, tensions);
   const Eigen::VectorXd lengths = network::cable_lengths({structure, state});
   design.built.resize(structure.cables.size());
-  for (std::size_t c = 0; c < design.built.size(); ++c) {
-    const auto i = static_cast<Eigen::Index>(c);
-    design.built[c] = {.length = lengths[i] * scaling.scale.length,
-                       .tension = assessment.tensions[i] * scaling.scale.force()};
-  }
+  for (auto&& [built, length, tension] :
+       ranges::views::zip(design.built, lengths, assessment.tensions))
+    built = {.length = length * scaling.scale.length, .tension = tension * scaling.scale.force()};
   design.error = {.max_percent = deviation.max_percent, .rms_percent = deviation.rms_percent};
   design.certificate = assessment.certificate();
 }

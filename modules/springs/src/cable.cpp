@@ -1,4 +1,5 @@
 #include <cmath>
+#include <sstream>
 #include <tencer/core/error.hpp>
 #include <tencer/springs/cable.hpp>
 
@@ -40,6 +41,20 @@ Stencil stencil(const Cable& cable, std::span<const geometry::ArcLength> rods,
   add(cable.a, -1.0);
   add(cable.b, 1.0);
   return result;
+}
+
+std::string describe(const Cable& cable) {
+  std::ostringstream text;
+  const auto add = [&](const End& end) {
+    if (const auto* anchor = std::get_if<AtAnchor>(&end))
+      text << "anchor " << anchor->anchor;
+    else
+      text << "rod " << std::get<OnRod>(end).rod << " at " << std::get<OnRod>(end).s;
+  };
+  add(cable.a);
+  text << " - ";
+  add(cable.b);
+  return text.str();
 }
 
 }  // namespace tencer::springs

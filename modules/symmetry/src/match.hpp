@@ -17,7 +17,8 @@ struct Misfit {
   int anchor = -1;
 };
 
-// Of the images of all vertices from the smooth curves they should lie on, and of the anchors.
+// How far the images of vertices are from the smooth curves they should lie on, and those of anchors
+// from the anchors they should be.
 Misfit misfit(const Sampled& sampled, const Operation& operation);
 
 // The operation whose map of space is x -> matrix x + translation (in the centred figure): each rod

@@ -16,7 +16,7 @@ Eigen::Matrix3Xd vertex_tangents(const geometry::Polyline& curve, const geometry
     slopes.col(e) =
         (curve.points.col((e + 1) % curve.vertices()) - curve.points.col(e)) / arc.edge_length(e);
   if (edges == 1) return slopes.replicate(1, 2);
-  // Of the parabola through the edges e and f that meet, at their common vertex.
+  // The tangent of the parabola through the edges e and f, at the vertex where they meet.
   const auto between = [&](int e, int f) -> Eigen::Vector3d {
     const double part = arc.edge_length(f) / (arc.edge_length(e) + arc.edge_length(f));
     return part * slopes.col(e) + (1.0 - part) * slopes.col(f);

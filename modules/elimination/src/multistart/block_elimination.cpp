@@ -11,7 +11,7 @@ namespace {
 using network::Network;
 using Path = std::vector<Network>;
 
-// Of the eliminations, those that end with the fewest cables first.
+// The numbers of the eliminations, those that end with the fewest cables first.
 std::vector<int> order_of(const std::vector<Path>& paths) {
   std::vector<int> order;
   for (int k = 0; k < static_cast<int>(paths.size()); ++k)

@@ -38,7 +38,7 @@ struct SolveOptions {
   // Ends when the largest turns of an edge, added up over the steps, exceed this (in radians,
   // about): for those who look for an equilibrium near the start, or none.
   double max_path_rotation = std::numeric_limits<double>::infinity();
-  // Of edges and cables near the start, where they are known better than by the start's lengths: a
+  // The forces in edges and cables, where they are known better than by the start's lengths: a
   // change of shape predicted to first order leaves stiff edges far from the forces they will have.
   std::optional<InternalForces> forces{};
   std::stop_token stop{};

@@ -28,7 +28,8 @@ void validate(const Target& target, const Structure& structure);
 // The weights of a rod's vertices, also where the target does not give any.
 Eigen::VectorXd weights_of(const Target& target, std::size_t rod);
 
-// Of the axis-aligned box about all points: the size in percent of which distances are told.
+// The diagonal of the axis-aligned box about all points: the size in percent of which distances are
+// told.
 double diagonal(const Target& target);
 
 }  // namespace tencer::model

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <span>
+#include <string>
 #include <tencer/geometry/arc_length.hpp>
 #include <variant>
 #include <vector>
@@ -37,6 +38,9 @@ struct Cable {
 // exist (rods: how many, anchors: how many), joins two different points and has finite stiffness
 // and rest length >= 0.
 void validate(const Cable& cable, int rods, int anchors);
+
+// Where it ends, in words: "rod 0 at 12.5 - anchor 3".
+std::string describe(const Cable& cable);
 
 // A vertex's share in the span of a cable.
 struct Share {
