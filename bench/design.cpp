@@ -1,25 +1,24 @@
-// Designs for the published models beside the published figures: by force balance with the published
-// max error, with the published number of cables and with two thirds of both; with `dense-springs`
-// as second argument by the paper's route and every optimizer of the build.
-// Usage: bench_design FOLDER [dense-springs] [MODEL...]
-#include "published_model.hpp"
-
-#include <tencer/geometry/polyline.hpp>
-#include <tencer/pipeline/design.hpp>
-
+// Designs for the published models beside the published figures: by force balance with the
+// published max error, with the published number of cables and with two thirds of both; with
+// `dense-springs` as second argument by the paper's route and every optimizer of the build. Usage:
+// bench_design FOLDER [dense-springs] [MODEL...]
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <set>
 #include <string>
+#include <tencer/geometry/polyline.hpp>
+#include <tencer/pipeline/design.hpp>
+
+#include "published_model.hpp"
 
 using namespace tencer;
 
 namespace {
 
 // Rods of a model whose published cables never join a rod with itself are under that rule.
-std::optional<std::vector<std::array<int, 2>>> rod_pairs(const bench::PublishedModel& model) {
-  std::vector<std::array<int, 2>> pairs;
+std::optional<std::vector<model::RodPair>> rod_pairs(const bench::PublishedModel& model) {
+  std::vector<model::RodPair> pairs;
   const int rods = static_cast<int>(model.structure.rods.size());
   for (int a = 0; a < rods; ++a)
     for (int b = a + 1; b < rods; ++b) pairs.push_back({a, b});
@@ -31,27 +30,22 @@ std::optional<std::vector<std::array<int, 2>>> rod_pairs(const bench::PublishedM
   return pairs;
 }
 
-io::Scene scene_of(const bench::PublishedModel& model) {
-  io::Scene scene;
-  scene.name = model.name;
+model::Scene scene_of(const bench::PublishedModel& model) {
+  model::Scene scene{.name = model.name, .source = model.name};
   for (std::size_t r = 0; r < model.target.size(); ++r) {
     const auto& rod = model.structure.rods[r];
-    io::SceneRod entry;
-    entry.target = {model.target[r], rod.closed};
-    entry.section = {rod.section.EA, {rod.section.EI1, rod.section.EI2}, rod.section.GJ};
-    entry.weights = Eigen::VectorXd::Ones(rod.vertices());
-    entry.source = model.name;
-    scene.rods.push_back(std::move(entry));
+    model::add_rod(scene, {model.target[r], rod.closed});
+    scene.structure.rods.back().section = rod.section;
   }
-  scene.anchors = model.structure.anchors;
-  scene.planar = model.structure.planar;
-  scene.design.rod_pairs = rod_pairs(model);
+  scene.structure.anchors = model.structure.anchors;
+  scene.structure.planar = scene.target.planar = model.structure.planar;
+  scene.rules.pairs = rod_pairs(model);
   scene.design.max_error = model.max_error_percent;
   return scene;
 }
 
 // Seconds by stage, rows of the same stage added up.
-std::string stage_seconds(const io::Design& design) {
+std::string stage_seconds(const model::Design& design) {
   std::vector<std::pair<std::string, double>> stages;
   for (const auto& row : design.trace) {
     if (stages.empty() || stages.back().first != row.stage) stages.emplace_back(row.stage, 0);
@@ -67,7 +61,7 @@ std::string stage_seconds(const io::Design& design) {
 }
 
 // Designs one scene and prints a line of the table.
-void print_design(const bench::PublishedModel& model, const io::Scene& scene,
+void print_design(const bench::PublishedModel& model, const model::Scene& scene,
                   const char* question) {
   const auto begin = std::chrono::steady_clock::now();
   const auto design = pipeline::design(scene);
@@ -78,7 +72,7 @@ void print_design(const bench::PublishedModel& model, const io::Scene& scene,
     return;
   }
   std::printf("%-21s %-12s %6zu %6d %8.3f %8.3f %7s %9.3g %7s %9.2f  %s\n", model.name.c_str(),
-              question, design->cables.size(), model.cables, design->error->max_percent,
+              question, design->built.size(), model.cables, design->error->max_percent,
               model.max_error_percent, design->certificate->stable ? "yes" : "no",
               design->certificate->smallest_eigenvalue,
               design->certificate->settles_from_target.value_or(false) ? "yes" : "no", seconds,
@@ -99,11 +93,11 @@ int main(int argc, char** argv) {
               "publ.", "max %", "publ.", "stands", "lambda", "settles", "seconds", "by stage");
   for (const auto& model : bench::read_published_models(argv[1])) {
     if (!wanted.empty() && !wanted.contains(model.name)) continue;
-    io::Scene scene = scene_of(model);
+    model::Scene scene = scene_of(model);
     if (dense) {
-      scene.design.method = "dense-springs";
+      scene.design.method = model::Method::dense_springs;
       for (const auto& backend : pipeline::backends()) {
-        scene.design.optimizer = backend.name;
+        scene.design.optimizer = *model::named<model::Optimizer>(backend.name);
         print_design(model, scene, backend.name.c_str());
       }
       continue;

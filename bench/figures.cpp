@@ -12,13 +12,14 @@
 #include <numbers>
 #include <string>
 #include <string_view>
-#include <tencer/equilibrium/built.hpp>
+#include <tencer/equilibrium/inextensible.hpp>
+#include <tencer/ground_structure/dense_springs.hpp>
+#include <tencer/io/scene.hpp>
 #include <tencer/pipeline/design.hpp>
 #include <tencer/pipeline/prepare.hpp>
-#include <tencer/pipeline/random_knot.hpp>
-#include <tencer/sensitivity/target.hpp>
-#include <tencer/sparsify/decimate.hpp>
-#include <tencer/sparsify/dense.hpp>
+#include <tencer/random_targets/random_knot.hpp>
+#include <tencer/sensitivity/distance.hpp>
+#include <tencer/sparsify/greedy.hpp>
 #include <tencer/sparsify/sparsify.hpp>
 
 using namespace tencer;
@@ -32,30 +33,23 @@ T value(core::Expected<T> expected) {
   std::exit(2);
 }
 
-double percent(const sparsify::Network& network, const sensitivity::Target& target) {
+double percent(const network::Network& network, const model::Target& target) {
   return sensitivity::deviation(target, network.state).max_percent;
 }
 
-sparsify::Network dense(const pipeline::Prepared& prepared, double factor) {
-  const auto& points = prepared.target.points;
-  sparsify::Network network{prepared.structure, prepared.start};
-  network.structure.cables = sparsify::dense_springs(
-      prepared.structure, points,
-      value(sparsify::candidates(prepared.structure, points, prepared.rules)));
-  for (auto& spring : network.structure.cables) spring.stiffness *= factor;
+network::Network dense(const ground_structure::Problem& problem, double factor = 100) {
+  network::Network network = problem.bare();
+  network.structure.cables = ground_structure::dense_springs(
+      problem.structure, problem.target.points, problem.candidates, factor);
   return network;
 }
 
 // The greedy removal of section 5.2, to so many springs instead of to an error.
-sparsify::Network greedy(const pipeline::Prepared& prepared, int springs) {
-  const auto& target = prepared.target;
-  const auto pruned = sparsify::prune(dense(prepared, 1), target);
-  std::stop_source enough;
-  const sparsify::Control control{.stop = enough.get_token(),
-                                  .progress = [&](const sparsify::Progress& progress) {
-                                    if (progress.cables <= springs) enough.request_stop();
-                                  }};
-  return sparsify::decimate(pruned.network, target, {.threshold = 1e3}, control).network;
+network::Network greedy(const ground_structure::Problem& problem, int springs) {
+  const auto pruned = sparsify::prune(dense(problem), problem.target);
+  return sparsify::remove_greedily(pruned.network, problem.target,
+                                   {.threshold = 1e3, .min_springs = springs})
+      .network;
 }
 
 void knots() {
@@ -66,28 +60,29 @@ void knots() {
   for (const int made : {4, 6, 8, 10, 12})
     for (int seed = 1; seed <= 10; ++seed) {
       const int vertices = 60 + 20 * (seed % 3);
-      const auto knot = pipeline::random_knot(
+      const auto knot = random_targets::random_knot(
           {.cables = made, .vertices = vertices, .seed = static_cast<std::uint64_t>(seed)});
       if (!knot) continue;
-      io::Scene scene = value(io::scene_of_curves({knot->curve}, "random-knot"));
-      scene.design.symmetry = "none";
+      model::Scene scene = value(io::scene_of_curves({knot->curve}, "random-knot"));
+      scene.design.symmetry = model::SymmetryUse::none;
       const auto begin = std::chrono::steady_clock::now();
-      const io::Design design = value(pipeline::design(scene));
+      const model::Design design = value(pipeline::design(scene));
       const double seconds =
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
       // As few springs as made it, by all three.
-      const auto prepared = value(pipeline::prepare(scene));
-      const auto few = greedy(prepared, made);
-      const double greedy_percent = percent(few, prepared.target);
-      const auto fitted = sparsify::sparsify(
-          few, prepared.target, backend, {.max_percent = 1.001 * greedy_percent, .weights = {0}});
+      const auto problem = value(pipeline::prepare(scene)).problem;
+      const auto few = greedy(problem, made);
+      const double greedy_percent = percent(few, problem.target);
+      const auto fitted =
+          sparsify::sparsify(few, problem.target, backend,
+                             {.max_error_percent = 1.001 * greedy_percent, .weights = {0}});
       scene.design.cables = made;
-      const io::Design global = value(pipeline::design(scene));
+      const model::Design global = value(pipeline::design(scene));
       std::printf("%d,%d,%d,%zu,%.4g,%.3g,%d,%zu,%.4g,%.4g,%zu,%.4g\n", made, seed, vertices,
-                  design.cables.size(), design.error->max_percent, seconds,
-                  design.status == io::DesignStatus::complete, few.structure.cables.size(),
-                  greedy_percent, percent(fitted.network, prepared.target), global.cables.size(),
+                  design.built.size(), design.error->max_percent, seconds,
+                  design.status == model::DesignStatus::complete, few.structure.cables.size(),
+                  greedy_percent, percent(fitted.network, problem.target), global.built.size(),
                   global.error->max_percent);
       std::fflush(stdout);
     }
@@ -105,13 +100,13 @@ void ring() {
   constexpr int vertices = 160;
   constexpr double target_length = 0.2;  // over the diameter, as all lengths
   const double diameter = 1 / std::numbers::pi;
-  equilibrium::Structure flat;
+  model::Structure flat;
   flat.rods = {{.closed = true,
                 .section = {.EA = 1e7, .EI1 = 1, .EI2 = 1, .GJ = 0.77},
                 .rest_lengths = Eigen::VectorXd::Constant(vertices, 1.0 / vertices)}};
   flat.planar = true;
   flat.cables = {{.a = springs::OnRod{0, 0.0}, .b = springs::OnRod{0, 0.5}, .stiffness = 1}};
-  equilibrium::Structure free = flat;
+  model::Structure free = flat;
   free.planar = false;
   Eigen::Matrix3Xd circle = Eigen::Matrix3Xd::Zero(3, vertices);
   for (int i = 0; i < vertices; ++i)
@@ -123,36 +118,35 @@ void ring() {
     Eigen::Matrix3Xd flat, free;
   };
   std::vector<Row> rows;
-  auto in_plane = equilibrium::make_state(flat, {circle});
+  auto in_plane = model::make_state(flat, {circle});
   auto in_space = in_plane;
   for (int step = 1; step <= 96; ++step) {
     const double length = 1 - 0.01 * step;
     flat.cables[0].rest_length = free.cables[0].rest_length = length * diameter;
-    in_plane = equilibrium::settle(flat, in_plane).equilibrium.state;
-    in_space = equilibrium::settle(free, in_space).equilibrium.state;
+    in_plane = equilibrium::relax_inextensible(flat, in_plane).equilibrium.state;
+    in_space = equilibrium::relax_inextensible(free, in_space).equilibrium.state;
     rows.push_back({length, in_plane[0].x, in_space[0].x});
   }
   const auto at_target = std::ranges::min_element(
       rows, {}, [&](const Row& row) { return std::abs(row.length - target_length); });
-  const auto target = sensitivity::make_target(flat, {at_target->flat});
-  sensitivity::Target aligned = target;
+  const auto target = model::make_target(flat, {at_target->flat});
+  model::Target aligned = target;
   aligned.planar = false;
   std::printf("length,side,flat_percent,free_percent\n");
   for (const Row& row : rows)
-    std::printf(
-        "%.4g,%.6g,%.6g,%.6g\n", row.length, smallest_side(row.free) / diameter,
-        sensitivity::deviation(target, equilibrium::make_state(flat, {row.flat})).max_percent,
-        sensitivity::deviation(aligned, equilibrium::make_state(free, {row.free})).max_percent);
+    std::printf("%.4g,%.6g,%.6g,%.6g\n", row.length, smallest_side(row.free) / diameter,
+                sensitivity::deviation(target, model::make_state(flat, {row.flat})).max_percent,
+                sensitivity::deviation(aligned, model::make_state(free, {row.free})).max_percent);
 }
 
 void pruning(const char* path) {
-  const auto prepared = value(pipeline::prepare(value(io::read_scene(path))));
+  const auto problem = value(pipeline::prepare(value(io::read_scene(path)))).problem;
   std::printf("factor,springs,max_percent\n");
   for (int k = -4; k <= 16; ++k) {
     const double factor = std::pow(10, k / 2.0);
-    const auto pruned = sparsify::prune(dense(prepared, factor / 100), prepared.target);
+    const auto pruned = sparsify::prune(dense(problem, factor), problem.target);
     std::printf("%.4g,%zu,%.4g\n", factor, pruned.network.structure.cables.size(),
-                percent(pruned.network, prepared.target));
+                percent(pruned.network, problem.target));
     std::fflush(stdout);
   }
 }

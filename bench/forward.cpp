@@ -29,7 +29,7 @@ Eigen::Matrix3Xd stacked(const std::vector<Eigen::Matrix3Xd>& rods) {
 }
 
 // Largest distance to the stored equilibrium, in % of the target's bounding-box diagonal.
-double distance_percent(const bench::PublishedModel& model, const equilibrium::State& state) {
+double distance_percent(const bench::PublishedModel& model, const model::State& state) {
   std::vector<Eigen::Matrix3Xd> x;
   for (const auto& rod : state) x.push_back(rod.x);
   Eigen::Matrix3Xd here = stacked(x);

@@ -14,10 +14,11 @@
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/geometry/curves.hpp>
 #include <tencer/geometry/frame.hpp>
-#include <tencer/io/scene.hpp>
+#include <tencer/ground_structure/force_balance.hpp>
+#include <tencer/model/scene.hpp>
 #include <tencer/pipeline/design.hpp>
 #include <tencer/pipeline/prepare.hpp>
-#include <tencer/sparsify/balance.hpp>
+#include <tencer/sensitivity/distance.hpp>
 #include <vector>
 
 using namespace tencer;
@@ -43,13 +44,11 @@ double median_seconds(const std::function<void()>& work) {
   return *middle;
 }
 
-io::Scene scene_of(std::vector<geometry::Polyline> curves) {
-  auto scene = io::scene_of_curves(std::move(curves), "bench.obj");
-  if (!scene) throw std::runtime_error(scene.error().text());
-  return *std::move(scene);
+model::Scene scene_of(const std::vector<geometry::Polyline>& curves) {
+  return model::scene_of(curves, "bench");
 }
 
-io::Scene trefoil() {
+model::Scene trefoil() {
   return scene_of({geometry::trefoil(geometry::TrefoilForm::hypotrochoid, 198, 102)});
 }
 
@@ -62,46 +61,46 @@ void print(const char* part, const char* problem, const char* what, double left_
 
 // A network that holds the scene's target.
 struct Held {
-  pipeline::Prepared prepared;
-  sparsify::Network network;
+  ground_structure::Problem problem;
+  network::Network network;
 };
 
-Held held(const io::Scene& scene) {
+ground_structure::Problem problem_of(const model::Scene& scene) {
   auto prepared = pipeline::prepare(scene);
   if (!prepared) throw std::runtime_error(prepared.error().text());
-  const auto candidates =
-      sparsify::candidates(prepared->structure, prepared->target.points, prepared->rules);
-  if (!candidates) throw std::runtime_error(candidates.error().text());
-  auto result = sparsify::balance({prepared->structure, prepared->start}, prepared->target,
-                                  *candidates, nullptr);
-  return {std::move(*prepared), std::move(result.network)};
+  return std::move(prepared->problem);
+}
+
+Held held(const model::Scene& scene) {
+  Held held{.problem = problem_of(scene), .network = {}};
+  held.network = ground_structure::force_balance(held.problem, nullptr).network;
+  return held;
 }
 
 // The same cables on both scenes' rods: one factorisation, and the equilibrium from the target.
-void compare_forward(const char* part, const char* problem, const io::Scene& left_out,
-                     const io::Scene& kept) {
+void compare_forward(const char* part, const char* problem, const model::Scene& left_out,
+                     const model::Scene& kept) {
   const Held with = held(left_out);
-  auto other = pipeline::prepare(kept);
-  if (!other) throw std::runtime_error(other.error().text());
-  equilibrium::Structure structure = other->structure;
+  const ground_structure::Problem other = problem_of(kept);
+  model::Structure structure = other.structure;
   structure.cables = with.network.structure.cables;
   const equilibrium::System small(with.network.structure);
   const equilibrium::System large(structure);
-  const auto linearise = [](const equilibrium::System& system, const equilibrium::State& state) {
+  const auto linearise = [](const equilibrium::System& system, const model::State& state) {
     equilibrium::Linearisation at;
     equilibrium::linearise(system, state, at);
     return median_seconds([&] { equilibrium::linearise(system, state, at); });
   };
   const std::string unknowns =
       std::to_string(small.size()) + " and " + std::to_string(large.size()) + " unknowns";
-  print(part, problem, "Hessian and its factor", linearise(small, with.prepared.start),
-        linearise(large, other->start), unknowns);
+  print(part, problem, "Hessian and its factor", linearise(small, with.problem.start),
+        linearise(large, other.start), unknowns);
   equilibrium::Equilibrium a, b;
   const double small_seconds =
-      median_seconds([&] { a = equilibrium::solve(small, with.prepared.start); });
-  const double large_seconds = median_seconds([&] { b = equilibrium::solve(large, other->start); });
+      median_seconds([&] { a = equilibrium::solve(small, with.problem.start); });
+  const double large_seconds = median_seconds([&] { b = equilibrium::solve(large, other.start); });
   // Where nothing holds them in space, solutions may lie differently there.
-  sensitivity::Target there{.align = with.prepared.target.align};
+  model::Target there{.align = with.problem.target.align};
   for (const auto& rod : b.state) there.points.push_back(rod.x);
   const double apart = sensitivity::deviation(there, a.state).max;
   char note[120];
@@ -110,14 +109,14 @@ void compare_forward(const char* part, const char* problem, const io::Scene& lef
   print(part, problem, "equilibrium", small_seconds, large_seconds, note);
 }
 
-void compare_designs(const char* part, const char* problem, const io::Scene& left_out,
-                     const io::Scene& kept) {
+void compare_designs(const char* part, const char* problem, const model::Scene& left_out,
+                     const model::Scene& kept) {
   std::string note;
-  const auto design = [&](const io::Scene& scene) {
+  const auto design = [&](const model::Scene& scene) {
     return seconds_of([&] {
       const auto result = pipeline::design(scene);
       note += note.empty() ? "" : " and ";
-      note += result ? std::to_string(result->cables.size()) : result.error().text();
+      note += result ? std::to_string(result->built.size()) : result.error().text();
     });
   };
   const double a = design(left_out);
@@ -126,12 +125,12 @@ void compare_designs(const char* part, const char* problem, const io::Scene& lef
 }
 
 // The distance of an equilibrium to the target and its rates of change with 50 parameters.
-void compare_registration(const io::Scene& scene) {
+void compare_registration(const model::Scene& scene) {
   const Held anchored = held(scene);
   const equilibrium::System system(anchored.network.structure);
   const Eigen::MatrixXd rates = Eigen::MatrixXd::Random(system.size(), 50);
   const auto distance = [&](bool align) {
-    sensitivity::Target target = anchored.prepared.target;
+    model::Target target = anchored.problem.target;
     target.align = align;
     return median_seconds([&] {
       const sensitivity::Distance at(target, system, anchored.network.state);
@@ -142,10 +141,10 @@ void compare_registration(const io::Scene& scene) {
         distance(true), "");
 }
 
-void compare_detection(const io::Scene& without) {
-  io::Scene with = without;
-  with.design.symmetry = "detect";
-  const auto prepare = [](const io::Scene& scene) {
+void compare_detection(const model::Scene& without) {
+  model::Scene with = without;
+  with.design.symmetry = model::SymmetryUse::detect;
+  const auto prepare = [](const model::Scene& scene) {
     return median_seconds([&] {
       if (!pipeline::prepare(scene)) std::abort();
     });
@@ -153,37 +152,36 @@ void compare_detection(const io::Scene& without) {
   print("symmetry", "a knot that has none", "preparation", prepare(without), prepare(with), "");
 }
 
-io::Scene unequal(io::Scene scene) {
-  for (auto& rod : scene.rods) rod.section.EI[1] *= 1 + 1e-6;
+model::Scene unequal(model::Scene scene) {
+  for (auto& rod : scene.structure.rods) rod.section.EI2 *= 1 + 1e-6;
   return scene;
 }
 
-io::Scene twisted(io::Scene scene) {
-  scene.rods[0].closing_angle = 6.283185307179586;
+model::Scene twisted(model::Scene scene) {
+  scene.structure.rods[0].closing_angle = 6.283185307179586;
   return scene;
 }
 
-io::Scene planar_ellipses(bool planar) {
+model::Scene planar_ellipses(bool planar) {
   geometry::Polyline inner = geometry::ellipse(15, 6, 60);
-  io::Scene scene = scene_of({geometry::ellipse(32.5, 22, 100), inner});
-  scene.planar = planar;
+  model::Scene scene = scene_of({geometry::ellipse(32.5, 22, 100), inner});
+  scene.structure.planar = scene.target.planar = planar;
   return scene;
 }
 
-io::Scene framed(io::Scene scene, bool external) {
+model::Scene framed(model::Scene scene, bool external) {
   Eigen::Matrix3Xd points(3, 0);
-  for (const auto& rod : scene.rods) {
-    const Eigen::Index before = points.cols();
-    points.conservativeResize(3, before + rod.target.points.cols());
-    points.rightCols(rod.target.points.cols()) = rod.target.points;
+  for (const auto& target : scene.target.points) {
+    points.conservativeResize(3, points.cols() + target.cols());
+    points.rightCols(target.cols()) = target;
   }
-  scene.anchors = geometry::enclosing_frame(geometry::FrameShape::cube, points, 5, false);
-  scene.design.external = external;
+  scene.structure.anchors = geometry::enclosing_frame(geometry::FrameShape::cube, points, 5, false);
+  scene.rules.external = external;
   return scene;
 }
 
-io::Scene with_symmetry(io::Scene scene) {
-  scene.design.symmetry = "detect";
+model::Scene with_symmetry(model::Scene scene) {
+  scene.design.symmetry = model::SymmetryUse::detect;
   return scene;
 }
 
@@ -193,8 +191,8 @@ int main(int argc, char** argv) {
   const bool quick = argc > 1 && std::string(argv[1]) == "quick";
   std::printf("%-13s %-26s %-22s %10s %10s %7s\n", "part", "problem", "what", "left out/ms",
               "kept/ms", "ratio");
-  const io::Scene helix = framed(scene_of({geometry::helix(20, 13.2, 1.5, 100)}), true);
-  const io::Scene knot = scene_of({geometry::torus_knot(2, 5, 25, 10, 150)});
+  const model::Scene helix = framed(scene_of({geometry::helix(20, 13.2, 1.5, 100)}), true);
+  const model::Scene knot = scene_of({geometry::torus_knot(2, 5, 25, 10, 150)});
   compare_forward("theta", "trefoil", trefoil(), unequal(trefoil()));
   compare_forward("theta", "(2, 5) knot", knot, unequal(knot));
   compare_forward("theta", "helix in a cube", helix, unequal(helix));
@@ -202,9 +200,9 @@ int main(int argc, char** argv) {
                   unequal(twisted(trefoil())));
   compare_forward("z", "two ellipses", planar_ellipses(true), planar_ellipses(false));
   compare_registration(helix);
-  io::Scene crooked = trefoil();
-  for (int i = 0; i < 30; ++i) crooked.rods[0].target.points(2, i) += 0.002 * i * (30 - i);
-  compare_detection(crooked);
+  geometry::Polyline crooked = model::target_curve(trefoil(), 0);
+  for (int i = 0; i < 30; ++i) crooked.points(2, i) += 0.002 * i * (30 - i);
+  compare_detection(scene_of({crooked}));
   if (quick) return 0;
   compare_designs("theta", "trefoil", trefoil(), unequal(trefoil()));
   compare_designs("z", "two ellipses", planar_ellipses(true), planar_ellipses(false));

@@ -13,7 +13,6 @@ namespace bench {
 namespace {
 
 using nlohmann::json;
-namespace equilibrium = tencer::equilibrium;
 namespace springs = tencer::springs;
 
 Eigen::Matrix3Xd points(const json& list) {

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <string>
-#include <tencer/equilibrium/structure.hpp>
+#include <tencer/model/structure.hpp>
 #include <vector>
 
 namespace bench {
 
 struct PublishedModel {
   std::string name;
-  tencer::equilibrium::Structure structure;
+  tencer::model::Structure structure;
   std::vector<Eigen::Matrix3Xd> target;     // per rod, 3 x n
   std::vector<Eigen::Matrix3Xd> published;  // the stored equilibrium
   int cables = 0;

@@ -19,8 +19,8 @@
 #include <string_view>
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/geometry/curves.hpp>
-#include <tencer/pipeline/convert.hpp>
 #include <tencer/pipeline/design.hpp>
+#include <tencer/pipeline/design_state.hpp>
 #include <vector>
 
 #include "rates.hpp"
@@ -83,7 +83,7 @@ Factorisation factorisation(equilibrium::Linearisation& at) {
 // A closed rod of n vertices on a circle, pressed to an oval by spokes to its neighbourhood's
 // opposite: 24 cables whatever n is.
 struct Model {
-  equilibrium::Structure structure;
+  model::Structure structure;
   Eigen::Matrix3Xd start;
 };
 
@@ -119,33 +119,31 @@ Sample forward(int n) {
            one.bytes, result.usable() ? 1.0 : 0.0}};
 }
 
-io::Scene scene_of(std::vector<geometry::Polyline> curves) {
-  auto scene = io::scene_of_curves(std::move(curves), "scaling");
-  if (!scene) std::abort();
-  return *std::move(scene);
+model::Scene scene_of(const std::vector<geometry::Polyline>& curves) {
+  return model::scene_of(curves, "scaling");
 }
 
 // The floor is that of the factorisations in Newton's steps alone: how often gradients need a solve
 // with the same factor, and what choosing cables needs, is a matter of the method.
-Sample designed(const io::Scene& scene) {
+Sample designed(const model::Scene& scene) {
   const double begin = cpu_seconds();
   const auto design = pipeline::design(scene);
   const double whole = cpu_seconds() - begin;
   if (!design) std::abort();
-  const pipeline::Units units = pipeline::units_of(*design);
-  const auto structure = pipeline::structure_of(*design, pipeline::Cables::springs, units);
+  const auto scaling = model::scaling_of(design->structure, design->target);
+  const auto structure = model::scaled(design->structure, scaling);
   const equilibrium::System system(structure);
   equilibrium::Linearisation at;
-  equilibrium::linearise(system, pipeline::pose_state(*design, structure, units), at);
+  equilibrium::linearise(system, pipeline::pose_state(*design, structure, scaling), at);
   const Factorisation one = factorisation(at);
   double solves = 0, iterations = 0;
   for (const auto& row : design->trace) {
-    solves += row.equilibrium_solves;
-    iterations += row.newton_iterations;
+    solves += row.solves;
+    iterations += row.iterations;
   }
   return {{whole, one.floor * iterations, solves, iterations, one.seconds, one.floor,
-           static_cast<double>(design->cables.size()), design->error->max_percent,
-           design->status == io::DesignStatus::complete ? 1.0 : 0.0}};
+           static_cast<double>(design->built.size()), design->error->max_percent,
+           design->status == model::DesignStatus::complete ? 1.0 : 0.0}};
 }
 
 Sample design_of_vertices(int n) {
@@ -163,7 +161,7 @@ Sample design_of_rods(int rods) {
     link.points.row(0).array() += 45.0 * r;
     chain.push_back(std::move(link));
   }
-  return designed(scene_of(std::move(chain)));
+  return designed(scene_of(chain));
 }
 
 const std::vector<const char*> design_columns{"design cpu s", "floor s",     "solves",

@@ -1,7 +1,7 @@
 // Small structures of any kind to equilibrium: the solve ends, says how, never returns what is not
 // a number, and what it calls an equilibrium is one.
 #include <stdexcept>
-#include <tencer/equilibrium/built.hpp>
+#include <tencer/equilibrium/inextensible.hpp>
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/equilibrium/stability.hpp>
 
@@ -38,7 +38,7 @@ der::Rod rod_of(Bytes& bytes) {
   return rod;
 }
 
-springs::End end_of(Bytes& bytes, const Structure& structure) {
+springs::End end_of(Bytes& bytes, const model::Structure& structure) {
   const std::uint8_t kind = bytes.byte();
   const auto anchors = static_cast<int>(structure.anchors.cols());
   if ((kind & 1) != 0 && anchors > 0) return springs::AtAnchor{bytes.below_or(anchors - 1)};
@@ -60,7 +60,7 @@ Eigen::Vector3d vector_of(Bytes& bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
-  Structure structure;
+  model::Structure structure;
   std::vector<Eigen::Matrix3Xd> start;
   const std::uint8_t kind = bytes.byte();
   structure.planar = (kind & 1) != 0;
@@ -97,10 +97,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if ((kind & 4) != 0)
     structure.line_loads.push_back(
         {.rod = bytes.below_or(rods - 1), .force_per_length = bytes.scale(10) * vector_of(bytes)});
-  State state;
+  model::State state;
   try {
     validate(structure);
-    state = make_state(structure, start);
+    state = model::make_state(structure, start);
   } catch (const std::invalid_argument&) {
     return 0;  // a caller's mistake, told as such
   }

@@ -27,30 +27,35 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     must(!scene.error().message.empty());
     return 0;
   }
-  const int rods = static_cast<int>(scene->rods.size());
+  const model::Structure& structure = scene->structure;
+  const int rods = static_cast<int>(structure.rods.size());
   must(rods > 0);
-  for (const io::SceneRod& rod : scene->rods) {
-    must(rod.target.points.allFinite());
-    const Eigen::VectorXd lengths = geometry::edge_lengths(rod.target);
+  must(static_cast<int>(scene->directors.size()) == rods);
+  must(static_cast<int>(scene->target.points.size()) == rods);
+  must(static_cast<int>(scene->target.weights.size()) == rods);
+  for (int r = 0; r < rods; ++r) {
+    const der::Rod& rod = structure.rods[r];
+    const geometry::Polyline target = target_curve(*scene, r);
+    must(target.points.allFinite() && target.vertices() == rod.vertices());
+    const Eigen::VectorXd lengths = geometry::edge_lengths(target);
     must(lengths.allFinite() && lengths.minCoeff() > 0);
-    const io::Section& section = rod.section;
-    must(std::isfinite(section.EA) && section.EA > 0 && std::isfinite(section.GJ) &&
-         section.GJ > 0);
-    must(section.EI.allFinite() && section.EI.minCoeff() > 0);
-    must(rod.weights.size() == rod.target.vertices());
-    must(rod.weights.allFinite() && rod.weights.minCoeff() >= 0);
-    for (const io::Arc& arc : rod.forbidden_arcs)
-      must(std::isfinite(arc.from) && std::isfinite(arc.to));
-    for (const int vertex : rod.forbidden_vertices)
-      must(vertex >= 0 && vertex < rod.target.vertices());
+    must(rod.rest_lengths == lengths);
+    for (const double stiffness :
+         {rod.section.EA, rod.section.EI1, rod.section.EI2, rod.section.GJ})
+      must(std::isfinite(stiffness) && stiffness > 0);
+    const Eigen::VectorXd& weights = scene->target.weights[r];
+    must(weights.size() == rod.vertices());
+    must(weights.allFinite() && weights.minCoeff() >= 0);
   }
-  must(scene->anchors.allFinite());
-  for (const io::Pin& pin : scene->pinned)
+  for (const model::Arc& arc : scene->rules.forbidden)
+    must(arc.rod >= 0 && arc.rod < rods && std::isfinite(arc.from) && std::isfinite(arc.to));
+  must(structure.anchors.allFinite());
+  for (const model::Pin& pin : structure.pins)
     must(pin.rod >= 0 && pin.rod < rods && pin.vertex >= 0 &&
-         pin.vertex < scene->rods[pin.rod].target.vertices());
-  for (const io::PointLoad& load : scene->point_loads)
+         pin.vertex < structure.rods[pin.rod].vertices());
+  for (const model::PointLoad& load : structure.point_loads)
     must(load.rod >= 0 && load.rod < rods && std::isfinite(load.s) && load.force.allFinite());
-  for (const io::LineLoad& load : scene->line_loads)
+  for (const model::LineLoad& load : structure.line_loads)
     must(load.rod >= 0 && load.rod < rods && load.force_per_length.allFinite());
   must(scene->design.max_error > 0);
   return 0;

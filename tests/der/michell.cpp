@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "../eigenvalues.hpp"
+#include "eigenvalues.hpp"
 #include "fixtures.hpp"
 
 using namespace tencer::der;

@@ -11,8 +11,8 @@ using namespace tencer::equilibrium;
 
 namespace {
 
-Structure pinned_rod(int vertices) {
-  Structure structure;
+model::Structure pinned_rod(int vertices) {
+  model::Structure structure;
   structure.rods = {models::slender_rod(false, vertices, 1.0)};
   structure.pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = vertices - 1}};
   return structure;
@@ -26,7 +26,8 @@ double buckling_load(int vertices) {
   double unstable = 40;
   while (unstable - stable > 1e-9) {
     const double load = (stable + unstable) / 2;
-    const State state = make_state(system.structure(), {models::straight(vertices, 1 - load / EA)});
+    const model::State state =
+        model::make_state(system.structure(), {models::straight(vertices, 1 - load / EA)});
     (stability(system, state).stable() ? stable : unstable) = load;
   }
   return stable;
@@ -38,7 +39,7 @@ double deflection(int vertices, double distance, double& load) {
   Eigen::Matrix3Xd x = models::straight(vertices, distance);
   for (int i = 0; i < vertices; ++i)
     x(1, i) = 0.1 * std::sin(std::numbers::pi * x(0, i) / distance);
-  const Equilibrium result = solve(system, make_state(system.structure(), {x}));
+  const Equilibrium result = solve(system, model::make_state(system.structure(), {x}));
   REQUIRE(result.usable());
   load = -system.internal_forces(result.state).axial[0][vertices / 2];
   return result.state[0].x.row(1).maxCoeff();
@@ -73,10 +74,10 @@ TEST_CASE("a buckled rod takes the shape of the elastica, to second order") {
 
 TEST_CASE("a free straight rod's softest mode is the free-free beam's") {
   // (beta L)^4 with cos(beta L) cosh(beta L) = 1.
-  Structure structure;
+  model::Structure structure;
   structure.rods = {models::slender_rod(false, 161, 1.0)};
   const System system(structure);
-  const auto result = stability(system, make_state(structure, {models::straight(161, 1.0)}));
+  const auto result = stability(system, model::make_state(structure, {models::straight(161, 1.0)}));
   CHECK(result.stable());
   CHECK(result.smallest_eigenvalue == Approx(500.5639).epsilon(1e-3));
 }

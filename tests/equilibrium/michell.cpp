@@ -5,8 +5,8 @@
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/equilibrium/stability.hpp>
 
+#include "fixtures/second_order.hpp"
 #include "models.hpp"
-#include "second_order.hpp"
 
 using namespace tencer;
 using std::numbers::pi;
@@ -30,7 +30,7 @@ double critical_angle(double stable, double unstable, const Smallest& smallest) 
 }
 
 // A closed rod of length 2 pi, glued after `angle` of twist.
-equilibrium::Structure twisted_ring(int n, double angle) {
+model::Structure twisted_ring(int n, double angle) {
   return {.rods = {{.closed = true,
                     .section = section,
                     .rest_lengths = Eigen::VectorXd::Constant(n, 2 * pi / n),
@@ -42,7 +42,7 @@ double ring_eigenvalue(int n, double angle) {
   structure.planar = true;  // the flat ring, in balance also when unstable in space
   const equilibrium::System flat(structure);
   const auto state =
-      equilibrium::solve(flat, equilibrium::make_state(structure, {models::polygon(n, 2 * pi)}));
+      equilibrium::solve(flat, model::make_state(structure, {models::polygon(n, 2 * pi)}));
   REQUIRE(state.usable());
   const auto stability =
       equilibrium::stability(equilibrium::System(twisted_ring(n, angle)), state.state);
@@ -55,8 +55,8 @@ const double michell = 2 * pi * std::sqrt(3.0) * EI / GJ;
 
 // A straight rod of n edges between two clamped edges, one turned against the other.
 struct TwistedRod {
-  equilibrium::Structure structure;
-  equilibrium::State state;
+  model::Structure structure;
+  model::State state;
 };
 
 TwistedRod twisted_rod(int n, double angle) {
@@ -66,11 +66,11 @@ TwistedRod twisted_rod(int n, double angle) {
                .rest_lengths = Eigen::VectorXd::Constant(n, edge),
                .clamp_start_frame = true,
                .clamp_end_frame = true};
-  equilibrium::Structure structure{.rods = {rod}};
+  model::Structure structure{.rods = {rod}};
   for (int vertex : {0, 1, n - 1, n}) structure.pins.push_back({.rod = 0, .vertex = vertex});
   Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Zero(3, n + 1);
   x.row(0).setLinSpaced(-edge / 2, 1 + edge / 2);
-  auto state = equilibrium::make_state(structure, {x});
+  auto state = model::make_state(structure, {x});
   state[0].theta.setLinSpaced(0.0, angle);
   return {structure, state};
 }
@@ -101,7 +101,7 @@ TEST_CASE("past Michell's angle a ring writhes until two turns of twist are gone
     const equilibrium::System system(structure);
     Eigen::Matrix3Xd x = models::polygon(n, 2 * pi);
     for (int i = 0; i < n; ++i) x(2, i) += bump * std::cos(4 * pi * i / n);
-    auto result = equilibrium::solve(system, equilibrium::make_state(structure, {x}));
+    auto result = equilibrium::solve(system, model::make_state(structure, {x}));
     REQUIRE(result.usable());
     CHECK(equilibrium::stability(system, result.state).stable());
     return result;

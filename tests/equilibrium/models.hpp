@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <numbers>
-#include <tencer/equilibrium/structure.hpp>
+#include <tencer/model/structure.hpp>
 
 namespace models {
 
@@ -38,8 +38,8 @@ inline Eigen::Matrix3Xd polygon(int vertices, double circumference) {
 }
 
 // A ring of circumference 1 with a cable across its diameter, from vertex 0 to the one opposite.
-inline equilibrium::Structure ring_with_cable(int vertices, double stiffness, double rest_length) {
-  equilibrium::Structure ring;
+inline model::Structure ring_with_cable(int vertices, double stiffness, double rest_length) {
+  model::Structure ring;
   ring.rods = {slender_rod(true, vertices, 1.0)};
   ring.cables = {{.a = springs::OnRod{0, 0.0},
                   .b = springs::OnRod{0, 0.5},

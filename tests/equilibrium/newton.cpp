@@ -3,7 +3,7 @@
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/equilibrium/stability.hpp>
 
-#include "../eigenvalues.hpp"
+#include "eigenvalues.hpp"
 #include "models.hpp"
 
 using namespace tencer;
@@ -15,15 +15,15 @@ Eigen::MatrixXd dense(const linalg::SymmetricMatrix& lower) {
   return Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
 }
 
-Eigen::MatrixXd dense_hessian(const System& system, const State& state) {
+Eigen::MatrixXd dense_hessian(const System& system, const model::State& state) {
   linalg::SymmetricMatrix matrix = system.pattern();
   system.hessian(state, system.internal_forces(state), matrix);
   return dense(matrix);
 }
 
 // Two linked rings with zero-length cables between them and one within the first.
-Structure linked_rings() {
-  Structure structure;
+model::Structure linked_rings() {
+  model::Structure structure;
   structure.rods = {models::slender_rod(true, 24, 1.0, 300),
                     models::slender_rod(true, 20, 1.2, 300)};
   for (int k = 0; k < 5; ++k)
@@ -36,31 +36,31 @@ Structure linked_rings() {
   return structure;
 }
 
-State linked_state(const Structure& structure) {
+model::State linked_state(const model::Structure& structure) {
   Eigen::Matrix3Xd second = models::polygon(20, 1.2);
   second.row(2) = second.row(1);
   second.row(1).setZero();
   second.row(0).array() += 0.15;
-  return make_state(structure, {models::polygon(24, 1.0), second});
+  return model::make_state(structure, {models::polygon(24, 1.0), second});
 }
 
 }  // namespace
 
 TEST_CASE("the system's gradient and Hessian match differences of its energy") {
   std::srand(3);
-  Structure structure = linked_rings();
+  model::Structure structure = linked_rings();
   structure.pins = {{.rod = 0, .vertex = 3, .axes = {true, false, true}}};
   structure.anchors = Eigen::Vector3d(0.5, 0.2, 0.4);
   structure.cables.push_back(
       {.a = springs::AtAnchor{0}, .b = springs::OnRod{1, 0.4}, .stiffness = 9});
   const System system(structure);
-  State state = linked_state(structure);
+  model::State state = linked_state(structure);
   system.displace(state, 0.003 * Eigen::VectorXd::Random(system.size()));
   REQUIRE(system.size() == 3 * 44 - 2);
   const Eigen::VectorXd direction = Eigen::VectorXd::Random(system.size());
   const double step = 1e-6;
-  const State plus = system.displaced(state, step * direction);
-  const State minus = system.displaced(state, -step * direction);
+  const model::State plus = system.displaced(state, step * direction);
+  const model::State minus = system.displaced(state, -step * direction);
   CHECK(system.gradient(state).dot(direction) ==
         Approx((system.energy(plus) - system.energy(minus)) / (2 * step)).epsilon(1e-6));
   const Eigen::VectorXd change = (system.gradient(plus) - system.gradient(minus)) / (2 * step);
@@ -68,7 +68,7 @@ TEST_CASE("the system's gradient and Hessian match differences of its energy") {
 }
 
 TEST_CASE("anchoring keeps inertia and solves exact at an equilibrium") {
-  const Structure structure = linked_rings();
+  const model::Structure structure = linked_rings();
   const System system(structure);
   Linearisation at;
   const Equilibrium result = solve(system, linked_state(structure), {}, at);
@@ -89,12 +89,12 @@ TEST_CASE("anchoring keeps inertia and solves exact at an equilibrium") {
 }
 
 TEST_CASE("an equilibrium does not depend on where the structure starts in space") {
-  const Structure structure = linked_rings();
+  const model::Structure structure = linked_rings();
   const System system(structure);
-  const State state = linked_state(structure);
+  const model::State state = linked_state(structure);
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-  State moved = state;
+  model::State moved = state;
   for (auto& rod : moved) rod.x = (turn * rod.x).colwise() + Eigen::Vector3d(0.3, -0.2, 0.5);
   const Equilibrium a = solve(system, state);
   const Equilibrium b = solve(system, moved);
@@ -107,7 +107,7 @@ TEST_CASE("an equilibrium does not depend on where the structure starts in space
 }
 
 TEST_CASE("the smallest eigenvalue matches the dense spectrum") {
-  const Structure structure = linked_rings();
+  const model::Structure structure = linked_rings();
   const System system(structure);
   const Equilibrium result = solve(system, linked_state(structure));
   const Stability found = stability(system, result.state);
@@ -122,24 +122,24 @@ TEST_CASE("the smallest eigenvalue matches the dense spectrum") {
 }
 
 TEST_CASE("rods that nothing ties together are not called stable") {
-  Structure structure = linked_rings();
+  model::Structure structure = linked_rings();
   structure.cables.clear();
   const System system(structure);
   const Equilibrium result = solve(system, linked_state(structure));
   CHECK(result.usable());
   const Stability found = stability(system, result.state);
-  CHECK(found.loose_groups == 2);
+  CHECK(found.floating_components == 2);
   CHECK_FALSE(found.stable());
 }
 
 TEST_CASE("a solve that cannot go on says why and keeps its best state") {
-  const Structure structure = linked_rings();
+  const model::Structure structure = linked_rings();
   const System system(structure);
   const Equilibrium limited = solve(system, linked_state(structure), {.max_iterations = 1});
   CHECK(limited.reason == Reason::iteration_limit);
-  const Equilibrium strayed = solve(system, linked_state(structure), {.farthest = 0.01});
-  CHECK(strayed.reason == Reason::strayed);
-  CHECK(strayed.iterations < 2);
+  const Equilibrium too_far = solve(system, linked_state(structure), {.max_path_rotation = 0.01});
+  CHECK(too_far.reason == Reason::path_limit);
+  CHECK(too_far.iterations < 2);
   CHECK_FALSE(limited.usable());
   CHECK(limited.state.size() == 2);
 
@@ -148,15 +148,15 @@ TEST_CASE("a solve that cannot go on says why and keeps its best state") {
   CHECK(solve(system, linked_state(structure), {.stop = source.get_token()}).reason ==
         Reason::stopped);
 
-  Structure folded;
+  model::Structure folded;
   folded.rods = {models::slender_rod(false, 3, 1.0)};
   Eigen::Matrix3Xd x(3, 3);
   x << 0, 0.5, 0, 0, 0, 0, 0, 0, 0;
-  CHECK(solve(System(folded), make_state(folded, {x})).reason == Reason::not_finite);
+  CHECK(solve(System(folded), model::make_state(folded, {x})).reason == Reason::not_finite);
 }
 
 TEST_CASE("structures that make no sense are refused by name") {
-  Structure structure = linked_rings();
+  model::Structure structure = linked_rings();
   structure.cables[0].b = springs::OnRod{2, 0.0};
   CHECK_THROWS_WITH(System(structure), Catch::Contains("no such rod"));
   structure = linked_rings();
@@ -168,22 +168,22 @@ TEST_CASE("structures that make no sense are refused by name") {
 }
 
 TEST_CASE("replacing cables gives the same system as building it anew") {
-  const Structure structure = linked_rings();
+  const model::Structure structure = linked_rings();
   System changed(structure);
   auto cables = structure.cables;
   cables[1].a = springs::OnRod{0, 0.77};
   cables.pop_back();
   changed.set_cables(cables);
-  Structure fresh_structure = structure;
+  model::Structure fresh_structure = structure;
   fresh_structure.cables = cables;
   const System fresh(fresh_structure);
-  const State state = linked_state(structure);
+  const model::State state = linked_state(structure);
   CHECK(changed.gradient(state) == fresh.gradient(state));
   CHECK(dense_hessian(changed, state) == dense_hessian(fresh, state));
 }
 
 TEST_CASE("a workspace serves cables that moved to other edges") {
-  Structure structure = linked_rings();
+  model::Structure structure = linked_rings();
   System system(structure);
   Linearisation workspace;
   const Equilibrium first = solve(system, linked_state(structure), {}, workspace);
@@ -203,7 +203,7 @@ TEST_CASE("stretching does not slow a solve down, however slender the rod") {
   // Six soft springs crumple a ring: far from the start, and along a narrow curved valley.
   std::vector<int> iterations;
   for (double EA : {1e3, 1e6, 1e9}) {
-    Structure ring;
+    model::Structure ring;
     const double length = 2 * std::numbers::pi;
     ring.rods = {models::slender_rod(true, 24, length)};
     ring.rods[0].section.EA = EA;
@@ -212,7 +212,7 @@ TEST_CASE("stretching does not slow a solve down, however slender the rod") {
                              .b = springs::OnRod{0, (0.4 + 0.13 * k) * length},
                              .stiffness = 2 + 0.5 * k});
     const System system(ring);
-    State start = make_state(ring, {models::polygon(24, length)});
+    model::State start = model::make_state(ring, {models::polygon(24, length)});
     for (int i = 0; i < 24; ++i) start[0].x(2, i) += 0.05 * std::sin(2.0 * i * i);
     const Equilibrium result = solve(system, start);
     REQUIRE(result.usable());
@@ -222,15 +222,15 @@ TEST_CASE("stretching does not slow a solve down, however slender the rod") {
 }
 
 TEST_CASE("predicted forces spare a solve that starts from a predicted shape iterations") {
-  Structure ring;
+  model::Structure ring;
   const double length = 2 * std::numbers::pi;
   ring.rods = {models::slender_rod(true, 48, length)};
   ring.cables.push_back({.a = springs::OnRod{0, 0.1},
                          .b = springs::OnRod{0, 0.1 + length / 2},
                          .stiffness = 5,
                          .rest_length = 1.5});
-  const Equilibrium first =
-      solve(System(ring), make_state(ring, {models::polygon(48, length)}), {.tolerance = 1e-9});
+  const Equilibrium first = solve(
+      System(ring), model::make_state(ring, {models::polygon(48, length)}), {.tolerance = 1e-9});
   REQUIRE(first.usable());
   // To first order, what a stronger cable does.
   Linearisation at;
@@ -238,7 +238,7 @@ TEST_CASE("predicted forces spare a solve that starts from a predicted shape ite
   ring.cables[0].stiffness = 5.5;
   const System stronger(ring);
   const Eigen::VectorXd step = at.solve(-stronger.gradient(first.state));
-  const State start = stronger.displaced(first.state, step);
+  const model::State start = stronger.displaced(first.state, step);
   const Equilibrium without = solve(stronger, start, {.tolerance = 1e-9});
   const Equilibrium with =
       solve(stronger, start,
@@ -255,7 +255,7 @@ TEST_CASE("predicted forces spare a solve that starts from a predicted shape ite
 
 TEST_CASE("an equilibrium that some motion leaves at no cost is not called stable") {
   // Two rods that a single point ties together turn about it freely.
-  Structure structure;
+  model::Structure structure;
   structure.rods = {models::slender_rod(false, 5, 1.0, 100),
                     models::slender_rod(false, 5, 1.0, 100)};
   structure.cables = {{.a = springs::OnRod{0, 0.5}, .b = springs::OnRod{1, 0.5}, .stiffness = 3}};
@@ -264,7 +264,7 @@ TEST_CASE("an equilibrium that some motion leaves at no cost is not called stabl
   second.row(0).setConstant(0.5);
   const System system(structure);
   const Equilibrium result =
-      solve(system, make_state(structure, {models::straight(5, 1.0), second}));
+      solve(system, model::make_state(structure, {models::straight(5, 1.0), second}));
   CHECK_FALSE(stability(system, result.state).stable());
   CHECK_FALSE(result.usable());
   CHECK(result.reason == Reason::neutral);

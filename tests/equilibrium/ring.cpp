@@ -1,7 +1,7 @@
 // Figure 8: a ring whose diameter is shortened by a cable leaves its plane.
 #include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
-#include <tencer/equilibrium/built.hpp>
+#include <tencer/equilibrium/inextensible.hpp>
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/equilibrium/stability.hpp>
 
@@ -16,17 +16,17 @@ constexpr int vertices = 60;
 const double diameter = 1 / std::numbers::pi;
 
 // The planar equilibrium with a cable of the given length.
-BuiltForm planar_ring(double length) {
-  Structure ring = models::ring_with_cable(vertices, 1.0, length);
+InextensibleEquilibrium planar_ring(double length) {
+  model::Structure ring = models::ring_with_cable(vertices, 1.0, length);
   ring.planar = true;
-  return settle(ring, make_state(ring, {models::polygon(vertices, 1.0)}));
+  return relax_inextensible(ring, model::make_state(ring, {models::polygon(vertices, 1.0)}));
 }
 
 Stability out_of_plane(double length) {
-  const BuiltForm flat = planar_ring(length);
+  const InextensibleEquilibrium flat = planar_ring(length);
   REQUIRE(flat.equilibrium.usable());
-  const Structure ring = models::ring_with_cable(vertices, 1.0, length);
-  return certify(ring, flat.equilibrium.state, flat.tensions).stability;
+  const model::Structure ring = models::ring_with_cable(vertices, 1.0, length);
+  return assess(ring, flat.equilibrium.state, flat.tensions).stability;
 }
 
 }  // namespace
@@ -46,9 +46,9 @@ TEST_CASE("a ring with a short cable is unstable in its plane and stable out of 
   CHECK_FALSE(flat.stable());
 
   // From the planar state itself, which is a saddle, Newton's method must leave the plane.
-  const Structure ring = models::ring_with_cable(vertices, 1.0, length);
-  const BuiltForm start = planar_ring(length);
-  const BuiltForm bent = settle(ring, start.equilibrium.state);
+  const model::Structure ring = models::ring_with_cable(vertices, 1.0, length);
+  const InextensibleEquilibrium start = planar_ring(length);
+  const InextensibleEquilibrium bent = relax_inextensible(ring, start.equilibrium.state);
   REQUIRE(bent.equilibrium.usable());
   CHECK(bent.equilibrium.escapes > 0);
   const auto& x = bent.equilibrium.state[0].x;
@@ -58,15 +58,15 @@ TEST_CASE("a ring with a short cable is unstable in its plane and stable out of 
   const Eigen::Vector3d thickness =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvalues();
   CHECK(std::sqrt(thickness[0] / vertices) > 0.02);
-  const Certificate certificate = certify(ring, bent.equilibrium.state, bent.tensions);
-  CHECK(certificate.stands());
+  const Assessment assessment = assess(ring, bent.equilibrium.state, bent.tensions);
+  CHECK(assessment.certified());
 }
 
 TEST_CASE("the planar branch follows the elastica's symmetry") {
   // Both halves carry the same load, so the cable's tension is twice an edge's compression there.
-  const BuiltForm flat = planar_ring(0.7 * diameter);
+  const InextensibleEquilibrium flat = planar_ring(0.7 * diameter);
   REQUIRE(flat.equilibrium.usable());
-  const Structure ring = models::ring_with_cable(vertices, 1.0, 0.7 * diameter);
+  const model::Structure ring = models::ring_with_cable(vertices, 1.0, 0.7 * diameter);
   const System system(ring);
   const auto axial = system.internal_forces(flat.equilibrium.state).axial[0];
   CHECK((axial.head(vertices / 2) - axial.tail(vertices / 2)).norm() < 1e-5 * axial.norm());

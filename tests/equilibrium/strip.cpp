@@ -14,7 +14,7 @@ using std::numbers::pi;
 
 namespace {
 
-equilibrium::Structure strip(int n) {
+model::Structure strip(int n) {
   return {.rods = {{.closed = true,
                     .section = {.EA = 1e5, .EI1 = 4.0, .EI2 = 1.0, .GJ = 1.5},
                     .rest_lengths = Eigen::VectorXd::Constant(n, 2 * pi / n)}}};
@@ -26,7 +26,7 @@ TEST_CASE("a strip closed to a ring turns to bend about its weak axis") {
   const int n = 40;
   auto structure = strip(n);
   if (GENERATE(false, true)) structure.rods[0].closing_angle = 0.0;
-  auto start = equilibrium::make_state(structure, {models::polygon(n, 2 * pi)});
+  auto start = model::make_state(structure, {models::polygon(n, 2 * pi)});
   // Far from the weak axis (m1 in the plane), and unevenly so.
   for (int j = 0; j < n; ++j) {
     const Eigen::Vector3d t = start[0].frames.tangent.col(j);
@@ -44,7 +44,7 @@ TEST_CASE("a strip closed to a ring turns to bend about its weak axis") {
   isotropic.rods[0].section.EI1 = isotropic.rods[0].section.EI2;
   const equilibrium::System plain(isotropic);
   const auto ring =
-      equilibrium::solve(plain, equilibrium::make_state(isotropic, {models::polygon(n, 2 * pi)}));
+      equilibrium::solve(plain, model::make_state(isotropic, {models::polygon(n, 2 * pi)}));
   CHECK(result.energy == Approx(ring.energy).epsilon(1e-10));
 }
 
@@ -55,12 +55,12 @@ TEST_CASE("a strip bent at rest springs back to its rest shape") {
   der::Rod rod{.section = {.EA = 1e5, .EI1 = 4.0, .EI2 = 1.0, .GJ = 1.5}};
   const Eigen::Matrix3Xd m1 = Eigen::Vector3d::UnitZ().replicate(1, n - 1);
   der::set_rest_shape(rod, helix, m1);
-  const equilibrium::Structure structure{.rods = {rod}};
+  const model::Structure structure{.rods = {rod}};
   Eigen::Matrix3Xd bent = helix;
   bent.row(2) *= 0.7;
   bent.row(0) *= 1.2;
   const equilibrium::System system(structure);
-  const auto result = equilibrium::solve(system, equilibrium::make_state(structure, {bent}));
+  const auto result = equilibrium::solve(system, model::make_state(structure, {bent}));
   REQUIRE(result.usable());
   CHECK(result.energy < 1e-12);
   CHECK(equilibrium::stability(system, result.state).stable());
@@ -74,12 +74,12 @@ TEST_CASE("a straight strip may turn about itself, and nothing else is singular"
   const int n = 80;
   der::Rod rod{.section = {.EA = 1e5, .EI1 = 4.0, .EI2 = 1.0, .GJ = 1.5},
                .rest_lengths = Eigen::VectorXd::Constant(n, 1.0 / n)};
-  equilibrium::Structure structure{.rods = {rod}};
+  model::Structure structure{.rods = {rod}};
   if (GENERATE(false, true)) structure.pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = n}};
   Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Zero(3, n + 1);
   x.row(0).setLinSpaced(0, 1);
   const auto result =
-      equilibrium::solve(equilibrium::System(structure), equilibrium::make_state(structure, {x}));
+      equilibrium::solve(equilibrium::System(structure), model::make_state(structure, {x}));
   CHECK(result.usable());
   const auto stability = equilibrium::stability(equilibrium::System(structure), result.state);
   CHECK(stability.stable());

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <tencer/geometry/hull.hpp>
 
-#include "cube.hpp"
+#include "fixtures/cube.hpp"
 
 using namespace tencer;
 using namespace tencer::geometry;

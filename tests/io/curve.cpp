@@ -7,7 +7,7 @@
 #include <tencer/io/curve.hpp>
 
 #include "edited.hpp"
-#include "folder.hpp"
+#include "fixtures/folder.hpp"
 
 using tencer::geometry::Polyline;
 using tencer::io::read_curves;

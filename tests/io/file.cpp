@@ -5,7 +5,7 @@
 #include <csignal>
 #include <tencer/io/file.hpp>
 
-#include "folder.hpp"
+#include "fixtures/folder.hpp"
 
 using tencer::io::folder_problem;
 using tencer::io::read_file;

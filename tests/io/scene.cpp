@@ -6,10 +6,10 @@
 #include <tencer/io/scene.hpp>
 
 #include "edited.hpp"
-#include "folder.hpp"
+#include "fixtures/folder.hpp"
 
+using namespace tencer;
 using namespace tencer::io;
-namespace geometry = tencer::geometry;
 using Catch::Matchers::Contains;
 using std::numbers::pi;
 
@@ -26,7 +26,7 @@ struct Curves : Folder {
     put("tall.csv", "0,0,0\n1,0,0\n2,1,1\n");
     put("eight.csv", "0,0,0\n1,1,0\n2,0,0\n1,-1,0\n0,0,1\n-1,-1,0\n0,0,0\n1,1,1\n");
   }
-  Scene scene(std::string_view text) const {
+  model::Scene scene(std::string_view text) const {
     const auto found = read_scene(put("s.toml", text));
     if (!found) FAIL(found.error().text());
     return *found;
@@ -41,7 +41,7 @@ struct Curves : Folder {
 
 TEST_CASE("a rod drawn with a few points") {
   const Curves folder;
-  const Scene scene = folder.scene(R"(
+  const model::Scene scene = folder.scene(R"(
 [[rod]]
 spline = [[0, 0, 0], [10, 5, 0], [20, 0, 5]]
 [[rod]]
@@ -49,59 +49,61 @@ spline = [[0, 20, 0], [10, 25, 0], [20, 20, 5], [0, 20, 0]]
 vertices = 60
 closed = true
 )");
-  REQUIRE(scene.rods.size() == 2);
-  const geometry::Polyline& open = scene.rods[0].target;
+  REQUIRE(scene.structure.rods.size() == 2);
+  const geometry::Polyline open = target_curve(scene, 0);
   CHECK_FALSE(open.closed);
   REQUIRE(open.vertices() == 100);
   CHECK(open.points.col(0) == Eigen::Vector3d(0, 0, 0));
   CHECK((open.points.col(99) - Eigen::Vector3d(20, 0, 5)).norm() < 1e-9);
   // Halfway point of the drawing lies on the curve, between vertices.
   CHECK((open.points.colwise() - Eigen::Vector3d(10, 5, 0)).colwise().norm().minCoeff() < 0.15);
-  CHECK(scene.rods[1].target.closed);
-  CHECK(scene.rods[1].target.vertices() == 60);
+  CHECK(target_curve(scene, 1).closed);
+  CHECK(target_curve(scene, 1).vertices() == 60);
 }
 
 TEST_CASE("a frame's corners are anchors about all rods") {
   const Curves folder;
   const std::string two = "[[rod]]\ncurve = 'ring.obj'\n[[rod]]\ncurve = 'line.csv'\n";
-  const Scene cube = folder.scene("frame = {shape = 'cube', margin = 2}\n" + two);
-  REQUIRE(cube.anchors.cols() == 8);
+  const model::Scene cube = folder.scene("frame = {shape = 'cube', margin = 2}\n" + two);
+  const Eigen::Matrix3Xd& corners = cube.structure.anchors;
+  REQUIRE(corners.cols() == 8);
   // Rods reach from 0 to 11 along x and from 0 to 4 along y, at z = 0.
-  CHECK(cube.anchors.rowwise().minCoeff() == Eigen::Vector3d(-2, -5.5, -7.5));
-  CHECK(cube.anchors.rowwise().maxCoeff() == Eigen::Vector3d(13, 9.5, 7.5));
-  CHECK(folder.scene("frame = {shape = 'tetrahedron'}\n" + two).anchors.cols() == 4);
-  const Scene square = folder.scene("planar = true\nframe = {shape = 'cube'}\n" + two);
-  REQUIRE(square.anchors.cols() == 4);
-  CHECK(square.anchors.row(2).isZero(0));
+  CHECK(corners.rowwise().minCoeff() == Eigen::Vector3d(-2, -5.5, -7.5));
+  CHECK(corners.rowwise().maxCoeff() == Eigen::Vector3d(13, 9.5, 7.5));
+  CHECK(folder.scene("frame = {shape = 'tetrahedron'}\n" + two).structure.anchors.cols() == 4);
+  const model::Scene square = folder.scene("planar = true\nframe = {shape = 'cube'}\n" + two);
+  REQUIRE(square.structure.anchors.cols() == 4);
+  CHECK(square.structure.anchors.row(2).isZero(0));
   // The default margin is a tenth of the diagonal.
-  CHECK(square.anchors.row(0).minCoeff() == Approx(-0.1 * std::hypot(11, 4)));
+  CHECK(square.structure.anchors.row(0).minCoeff() == Approx(-0.1 * std::hypot(11, 4)));
 }
 
 TEST_CASE("a scene of one line has defaults for all else") {
   const Curves folder;
-  const Scene scene = folder.scene("rod = [{curve = 'ring.obj'}]");
+  const model::Scene scene = folder.scene("rod = [{curve = 'ring.obj'}]");
   CHECK(scene.name == "s");
   CHECK(scene.length_unit == "cm");
   CHECK(scene.force_unit == "N");
-  REQUIRE(scene.rods.size() == 1);
-  CHECK(scene.rods[0].target.closed);
-  CHECK(scene.rods[0].target.vertices() == 4);
-  CHECK(scene.rods[0].weights == Eigen::VectorXd::Ones(4));
-  CHECK(scene.rods[0].section.EA == Approx(4e6 * pi * 0.016 * 0.016));
-  CHECK(scene.rods[0].section.EI[0] == Approx(4e6 * pi * std::pow(0.016, 4) / 4));
-  CHECK(scene.rods[0].section.EI[1] == scene.rods[0].section.EI[0]);
-  CHECK(scene.rods[0].section.GJ == Approx(scene.rods[0].section.EI[0] / 1.3));
-  CHECK(scene.rods[0].source == (folder / "s.toml:1").string());
-  CHECK(scene.anchors.cols() == 0);
-  CHECK(scene.pinned.empty());
-  CHECK_FALSE(scene.planar);
-  CHECK(scene.design.method == "force-balance");
-  CHECK(scene.design.optimizer == "gauss-newton");
-  CHECK(scene.design.hessian == "gauss-newton");
+  REQUIRE(scene.structure.rods.size() == 1);
+  CHECK(target_curve(scene, 0).closed);
+  CHECK(target_curve(scene, 0).vertices() == 4);
+  CHECK(scene.target.weights[0] == Eigen::VectorXd::Ones(4));
+  const der::Section& section = scene.structure.rods[0].section;
+  CHECK(section.EA == Approx(4e6 * pi * 0.016 * 0.016));
+  CHECK(section.EI1 == Approx(4e6 * pi * std::pow(0.016, 4) / 4));
+  CHECK(section.EI2 == section.EI1);
+  CHECK(section.GJ == Approx(section.EI1 / 1.3));
+  CHECK(scene.source == (folder / "s.toml").string());
+  CHECK(scene.structure.anchors.cols() == 0);
+  CHECK(scene.structure.pins.empty());
+  CHECK_FALSE(scene.structure.planar);
+  CHECK(scene.design.method == model::Method::force_balance);
+  CHECK(scene.design.optimizer == model::Optimizer::gauss_newton);
+  CHECK(scene.design.hessian == model::SecondDerivatives::gauss_newton);
   CHECK(scene.design.max_error == 1.0);
-  CHECK_FALSE(scene.design.rod_pairs);
-  CHECK_FALSE(scene.design.longest_cable);
-  CHECK(scene.design.external);
+  CHECK_FALSE(scene.rules.pairs);
+  CHECK(std::isinf(scene.rules.max_cable_length));
+  CHECK(scene.rules.external);
   CHECK(scene.design.sparsity_weights.front() == 0);
   CHECK(scene.design.spring_stiffness == 100);
   CHECK(scene.design.greedy_threshold == 5e-6);
@@ -109,28 +111,31 @@ TEST_CASE("a scene of one line has defaults for all else") {
 
 TEST_CASE("a bare curve makes the same scene as a scene that only names it") {
   const Curves folder;
-  const Scene named = folder.scene("name = 'both'\n[[rod]]\ncurve = 'both.obj'\n");
+  const model::Scene named = folder.scene("name = 'both'\n[[rod]]\ncurve = 'both.obj'\n");
   const auto bare = scene_of_curves(read_curves(folder / "both.obj").value(), folder / "both.obj");
   REQUIRE(bare);
   CHECK(bare->name == "both");
-  REQUIRE(bare->rods.size() == 2);
+  REQUIRE(bare->structure.rods.size() == 2);
   for (int i = 0; i < 2; ++i) {
-    CHECK(bare->rods[i].target.points == named.rods[i].target.points);
-    CHECK(bare->rods[i].target.closed == named.rods[i].target.closed);
-    CHECK(bare->rods[i].section.EA == named.rods[i].section.EA);
-    CHECK(bare->rods[i].section.EI == named.rods[i].section.EI);
-    CHECK(bare->rods[i].section.GJ == named.rods[i].section.GJ);
-    CHECK(bare->rods[i].weights == named.rods[i].weights);
+    const der::Section& here = bare->structure.rods[i].section;
+    const der::Section& there = named.structure.rods[i].section;
+    CHECK(bare->target.points[i] == named.target.points[i]);
+    CHECK(bare->structure.rods[i].closed == named.structure.rods[i].closed);
+    CHECK(here.EA == there.EA);
+    CHECK(here.EI1 == there.EI1);
+    CHECK(here.EI2 == there.EI2);
+    CHECK(here.GJ == there.GJ);
+    CHECK(bare->target.weights[i] == named.target.weights[i]);
   }
   // All rods are of one stock: the longest rod sets the radius.
-  CHECK(bare->rods[0].section.EA == bare->rods[1].section.EA);
+  CHECK(bare->structure.rods[0].section.EA == bare->structure.rods[1].section.EA);
   CHECK(folder.local(scene_of_curves({}, folder / "x.obj").error().text()) ==
         "x.obj: holds no curves");
 }
 
 TEST_CASE("everything a scene can say is read") {
   const Curves folder;
-  const Scene scene = folder.scene(R"(
+  const model::Scene scene = folder.scene(R"(
 name = "all"
 length_unit = "mm"
 force_unit = "kN"
@@ -175,62 +180,71 @@ forbidden_vertices = [{rod = 1, vertices = [2, 0]}]
   CHECK(scene.name == "all");
   CHECK(scene.length_unit == "mm");
   CHECK(scene.force_unit == "kN");
-  CHECK(scene.planar);
-  REQUIRE(scene.anchors.cols() == 2);
-  CHECK(scene.anchors.col(1) == Eigen::Vector3d(0, 20.5, 0));
-  REQUIRE(scene.pinned.size() == 2);
-  CHECK(scene.pinned[0].vertex == 2);
-  CHECK(scene.pinned[0].axes == std::array{true, true, true});
-  CHECK(scene.pinned[1].axes == std::array{true, false, true});
-  REQUIRE(scene.rods.size() == 3);
-  const SceneRod& ring = scene.rods[0];
-  CHECK(ring.target.vertices() == 8);
-  CHECK(ring.target.points.col(1) == Eigen::Vector3d(2, 0, 0));
-  CHECK(ring.section.EA == Approx(40 * pi * 0.25));
-  CHECK(ring.section.GJ == Approx(16 * pi * std::pow(0.5, 4) / 2));
-  CHECK(scene.rods[1].section.EI == Eigen::Vector2d(2, 1));
-  CHECK(scene.rods[2].section.EI == Eigen::Vector2d(2, 2));
-  CHECK(scene.rods[2].target.vertices() == 6);
-  CHECK(scene.rods[2].target.points.col(3).isApprox(Eigen::Vector3d(-1, 0, 0), 1e-8));
-  const DesignSettings& design = scene.design;
-  CHECK(design.hessian == "exact");
+  const model::Structure& structure = scene.structure;
+  CHECK(structure.planar);
+  CHECK(scene.target.planar);
+  REQUIRE(structure.anchors.cols() == 2);
+  CHECK(structure.anchors.col(1) == Eigen::Vector3d(0, 20.5, 0));
+  REQUIRE(structure.pins.size() == 2);
+  CHECK(structure.pins[0].rod == 1);
+  CHECK(structure.pins[0].vertex == 2);
+  CHECK(structure.pins[0].axes == std::array{true, true, true});
+  CHECK(structure.pins[1].axes == std::array{true, false, true});
+  REQUIRE(structure.rods.size() == 3);
+  CHECK(structure.rods[0].vertices() == 8);
+  CHECK(scene.target.points[0].col(1) == Eigen::Vector3d(2, 0, 0));
+  CHECK(structure.rods[0].section.EA == Approx(40 * pi * 0.25));
+  CHECK(structure.rods[0].section.GJ == Approx(16 * pi * std::pow(0.5, 4) / 2));
+  CHECK(structure.rods[1].section.EI1 == 2);
+  CHECK(structure.rods[1].section.EI2 == 1);
+  CHECK(structure.rods[2].section.EI1 == 2);
+  CHECK(structure.rods[2].section.EI2 == 2);
+  CHECK(structure.rods[2].vertices() == 6);
+  CHECK(scene.target.points[2].col(3).isApprox(Eigen::Vector3d(-1, 0, 0), 1e-8));
+  const model::DesignSettings& design = scene.design;
+  CHECK(design.method == model::Method::dense_springs);
+  CHECK(design.optimizer == model::Optimizer::ipopt);
+  CHECK(design.hessian == model::SecondDerivatives::exact);
   CHECK(design.max_error == 0.5);
-  CHECK(*design.rod_pairs == std::vector<std::array<int, 2>>{{0, 1}, {2, 2}});
-  CHECK_FALSE(design.external);
-  CHECK(*design.longest_cable == 7);
+  REQUIRE(scene.rules.pairs->size() == 2);
+  CHECK(scene.rules.pairs->at(0).a == 0);
+  CHECK(scene.rules.pairs->at(0).b == 1);
+  CHECK(scene.rules.pairs->at(1).a == 2);
+  CHECK(scene.rules.pairs->at(1).b == 2);
+  CHECK_FALSE(scene.rules.external);
+  CHECK(scene.rules.max_cable_length == 7);
   CHECK(design.sparsity_weights == std::vector<double>{0, 0.5});
   CHECK(design.spring_stiffness == 10);
   CHECK(design.greedy_threshold == 1e-5);
   // Vertices every 2 along 16; the arc goes through the seam.
   Eigen::VectorXd weights(8);
   weights << 0, 0, 2, 2, 2, 2, 2, 0;
-  CHECK(ring.weights == weights);
-  REQUIRE(ring.forbidden_arcs.size() == 1);
-  CHECK(ring.forbidden_arcs[0].from == 15);
-  CHECK(scene.rods[1].forbidden_arcs[0].to == 1);
-  CHECK(scene.rods[1].forbidden_vertices == std::vector{2, 0});
+  CHECK(scene.target.weights[0] == weights);
+  // Two arcs, and two vertices: the last of the line and its first.
+  const auto& forbidden = scene.rules.forbidden;
+  REQUIRE(forbidden.size() == 4);
+  CHECK(forbidden[0].rod == 1);
+  CHECK(forbidden[0].to == 1);
+  CHECK(forbidden[1].rod == 0);
+  CHECK(forbidden[1].from == 15);
+  for (const auto& [at, s] : {std::pair{2, structure.rods[1].length()}, {3, 0.0}}) {
+    CHECK(forbidden[at].rod == 1);
+    CHECK(forbidden[at].from == s);
+    CHECK(forbidden[at].to == s);
+  }
 }
 
 TEST_CASE("families in a scene are those of geometry") {
   const Curves folder;
-  const Scene knot = folder.scene("rod = [{family = 'torus-knot', parameters = {p = 2, q = 3}}]");
-  CHECK(knot.rods[0].target.points == geometry::torus_knot(2, 3, 13.5, 5.4, 201).points);
-  const Scene rings = folder.scene("rod = [{family = 'borromean-ellipses', vertices = 20}]");
-  REQUIRE(rings.rods.size() == 3);
-  CHECK(rings.rods[2].target.points == geometry::borromean_ellipses(6.5, 5, 20)[2].points);
-  const Scene second = folder.scene("rod = [{family = 'twin-trefoils', index = 1}]");
-  REQUIRE(second.rods.size() == 1);
-  CHECK(second.rods[0].target.points == geometry::twin_trefoils(27, 10.8, 102)[1].points);
-}
-
-TEST_CASE("glass fibre is 40 GPa in every unit") {
-  // 40 GPa = 40e9 N/m^2 = 4e6 N/cm^2 = 4e4 N/mm^2
-  CHECK(glass_fibre_modulus("m", "N") == Approx(40e9).epsilon(1e-14));
-  CHECK(glass_fibre_modulus("cm", "N") == Approx(4e6).epsilon(1e-14));
-  CHECK(glass_fibre_modulus("mm", "N") == Approx(4e4).epsilon(1e-14));
-  CHECK(glass_fibre_modulus("mm", "kN") == Approx(40).epsilon(1e-14));
-  CHECK(glass_fibre_modulus("cm", "mN") == Approx(4e9).epsilon(1e-14));
-  CHECK_THROWS_AS(glass_fibre_modulus("inch", "N"), std::invalid_argument);
+  const model::Scene knot =
+      folder.scene("rod = [{family = 'torus-knot', parameters = {p = 2, q = 3}}]");
+  CHECK(knot.target.points[0] == geometry::torus_knot(2, 3, 13.5, 5.4, 201).points);
+  const model::Scene rings = folder.scene("rod = [{family = 'borromean-ellipses', vertices = 20}]");
+  REQUIRE(rings.target.points.size() == 3);
+  CHECK(rings.target.points[2] == geometry::borromean_ellipses(6.5, 5, 20)[2].points);
+  const model::Scene second = folder.scene("rod = [{family = 'twin-trefoils', index = 1}]");
+  REQUIRE(second.target.points.size() == 1);
+  CHECK(second.target.points[0] == geometry::twin_trefoils(27, 10.8, 102)[1].points);
 }
 
 TEST_CASE("bad scenes are refused with line, key and remedy") {
@@ -473,7 +487,7 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
 
 TEST_CASE("what rods are made of and carry is read") {
   const Curves folder;
-  const Scene scene = folder.scene(R"(
+  const model::Scene scene = folder.scene(R"(
 length_unit = "cm"
 force_unit = "mN"
 gravity = [0, 0, -10]
@@ -499,42 +513,52 @@ vertices = 16
 section = {EA = 3, EI = [2, 1], GJ = 0.5, mass_per_length = 0.25}
 rest = {family = "circle", parameters = {radius = 7}, vertices = 12, director = [0, 0, -2]}
 )");
-  REQUIRE(scene.rods.size() == 3);
+  const auto& rods = scene.structure.rods;
+  REQUIRE(rods.size() == 3);
   // pi E (a^4 - b^4) / 4 and pi G (a^4 - b^4) / 2 with G = E / 2.5
   const double fourth = std::pow(0.5, 4) - std::pow(0.3, 4);
-  const SceneRod& tube = scene.rods[0];
+  const der::Rod& tube = rods[0];
   CHECK(tube.section.EA == Approx(40 * pi * 0.16));
-  CHECK(tube.section.EI[0] == Approx(40 * pi / 4 * fourth));
-  CHECK(tube.section.EI[1] == tube.section.EI[0]);
+  CHECK(tube.section.EI1 == Approx(40 * pi / 4 * fourth));
+  CHECK(tube.section.EI2 == tube.section.EI1);
   CHECK(tube.section.GJ == Approx(16 * pi / 2 * fourth));
   CHECK(*tube.closing_angle == Approx(-3 * pi));
-  CHECK_FALSE(tube.director);
+  CHECK_FALSE(scene.directors[0]);
+  CHECK(tube.rest_curvature.size() == 0);
 
-  const SceneRod& strip = scene.rods[1];
+  const der::Rod& strip = rods[1];
   CHECK(strip.section.EA == Approx(40 * 0.12));
-  CHECK(strip.section.EI[0] == Approx(40 * 0.2 * std::pow(0.6, 3) / 12));
-  CHECK(strip.section.EI[1] == Approx(40 * 0.6 * std::pow(0.2, 3) / 12));
-  CHECK(*strip.director == Eigen::Vector3d::UnitZ());
-  CHECK(strip.rest.curvature == 0.1);
-  CHECK_FALSE(strip.rest.curve);
+  CHECK(strip.section.EI1 == Approx(40 * 0.2 * std::pow(0.6, 3) / 12));
+  CHECK(strip.section.EI2 == Approx(40 * 0.6 * std::pow(0.2, 3) / 12));
+  CHECK(*scene.directors[1] == Eigen::Vector3d::UnitZ());
+  // Of two edges, 1 and sqrt(2) long: 0.1 per length over half of both, all towards the first axis.
+  REQUIRE(strip.rest_curvature.cols() == 1);
+  CHECK(strip.rest_curvature(0, 0) == Approx(2 * std::tan(0.05 * (1 + std::sqrt(2.0)) / 2)));
+  CHECK(strip.rest_curvature(1, 0) == 0);
 
-  const SceneRod& ring = scene.rods[2];
-  REQUIRE(ring.rest.curve);
-  CHECK(ring.rest.curve->vertices() == 12);
-  CHECK(*ring.rest.director == Eigen::Vector3d(0, 0, -2));
+  // A polygon of twelve edges, its plane across the section's first axis: bent about that alone, as
+  // much as the polygon, spread over sixteen vertices.
+  const der::Rod& ring = rods[2];
+  REQUIRE(ring.rest_curvature.cols() == 16);
+  CHECK(ring.rest_curvature.row(0).norm() < 1e-9);
+  for (const double bend : ring.rest_curvature.row(1))
+    CHECK(bend == Approx(12 * 2 * std::tan(pi / 12) / 16));
+  CHECK_FALSE(scene.directors[2]);
 
   // 1000 kg/m^3 of 1 cm^2 weigh 1 N/m at 10 m/s^2: 10 mN a cm.
-  REQUIRE(scene.line_loads.size() == 3);
-  CHECK(scene.line_loads[0].force_per_length.z() == Approx(-10 * pi * 0.16));
-  CHECK(scene.line_loads[1].force_per_length.z() == Approx(-10 * 0.12));
-  CHECK(scene.line_loads[1].rod == 1);
+  const auto& weights = scene.structure.line_loads;
+  REQUIRE(weights.size() == 3);
+  CHECK(weights[0].force_per_length.z() == Approx(-10 * pi * 0.16));
+  CHECK(weights[1].force_per_length.z() == Approx(-10 * 0.12));
+  CHECK(weights[1].rod == 1);
   // 0.25 kg/m: 2.5 N/m, 25 mN a cm.
-  CHECK(scene.line_loads[2].force_per_length.z() == Approx(-25));
-  CHECK(scene.line_loads[2].force_per_length.head<2>().isZero(0));
-  REQUIRE(scene.point_loads.size() == 1);
-  CHECK(scene.point_loads[0].rod == 1);
-  CHECK(scene.point_loads[0].s == 0.5);
-  CHECK(scene.point_loads[0].force == Eigen::Vector3d(1, 2, 3));
+  CHECK(weights[2].force_per_length.z() == Approx(-25));
+  CHECK(weights[2].force_per_length.head<2>().isZero(0));
+  const auto& loads = scene.structure.point_loads;
+  REQUIRE(loads.size() == 1);
+  CHECK(loads[0].rod == 1);
+  CHECK(loads[0].s == 0.5);
+  CHECK(loads[0].force == Eigen::Vector3d(1, 2, 3));
 }
 
 TEST_CASE("no text makes the scene reader throw") {
@@ -557,22 +581,23 @@ TEST_CASE("no text makes the scene reader throw") {
 TEST_CASE("symmetries in a scene") {
   const Curves folder;
   const std::string rod = "[[rod]]\ncurve = 'ring.obj'\n[design]\n";
-  CHECK(folder.scene(rod).design.symmetry == "offer");
-  for (const std::string word : {"none", "offer", "detect"})
-    CHECK(folder.scene(rod + "symmetry = '" + word + "'").design.symmetry == word);
+  using model::SymmetryUse;
+  CHECK(folder.scene(rod).design.symmetry == SymmetryUse::suggest);
+  for (const auto& [word, use] : {std::pair{"none", SymmetryUse::none},
+                                  {"offer", SymmetryUse::suggest},
+                                  {"detect", SymmetryUse::detect}})
+    CHECK(folder.scene(rod + "symmetry = '" + word + "'").design.symmetry == use);
   const auto given =
-      folder
-          .scene(rod +
-                 "symmetry = [{fold = 4, axis = [0, 0, 2]}, {normal = [1, 0, 0], point = "
-                 "[2, 2, 0]}]")
-          .design;
-  CHECK(given.symmetry == "given");
+      folder.scene(rod +
+                   "symmetry = [{fold = 4, axis = [0, 0, 2]}, {normal = [1, 0, 0], point = "
+                   "[2, 2, 0]}]");
+  CHECK(given.design.symmetry == SymmetryUse::given);
   REQUIRE(given.generators.size() == 2);
-  const auto& rotation = std::get<Rotation>(given.generators[0]);
+  const auto& rotation = std::get<model::Rotation>(given.generators[0]);
   CHECK(rotation.fold == 4);
   CHECK(rotation.axis == Eigen::Vector3d(0, 0, 2));
   CHECK_FALSE(rotation.point);
-  const auto& reflection = std::get<Reflection>(given.generators[1]);
+  const auto& reflection = std::get<model::Reflection>(given.generators[1]);
   CHECK(reflection.normal == Eigen::Vector3d::UnitX());
   CHECK(*reflection.point == Eigen::Vector3d(2, 2, 0));
 

@@ -3,15 +3,15 @@
 #include <tencer/io/trace.hpp>
 #include <vector>
 
-#include "folder.hpp"
+#include "fixtures/folder.hpp"
 
-using tencer::io::TraceRow;
 using tencer::io::write_trace;
+using tencer::model::StageRow;
 
 TEST_CASE("the trace is a CSV table with quoted texts") {
   const Folder folder;
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<TraceRow> rows{
+  const std::vector<StageRow> rows{
       {"prune", 0.1, 87, 0.024, 1e-3, 12, 140, ""},
       {"greedy", 2, 51, 0.1 + 0.2, 0, 36, 200, "stopped, \"weakest\" kept\nsecond line"},
       {"targets", 0, 0, none, none, 0, 0, "one rod"}};

@@ -4,7 +4,7 @@
 #include <tencer/linalg/symmetric_factor.hpp>
 #include <utility>
 
-#include "../eigenvalues.hpp"
+#include "eigenvalues.hpp"
 #include "random_symmetric.hpp"
 
 using namespace tencer::linalg;

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <tencer/optimize/evaluator.hpp>
 
-#include "../backend_checks/backend_checks.hpp"
+#include "backend_checks/backend_checks.hpp"
 
 using namespace tencer::optimize;
 using namespace tencer::optimize::test;

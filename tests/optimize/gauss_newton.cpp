@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <tencer/optimize/gauss_newton.hpp>
 
-#include "../backend_checks/backend_checks.hpp"
+#include "backend_checks/backend_checks.hpp"
 
 using namespace tencer::optimize;
 using namespace tencer::optimize::test;

@@ -2,7 +2,7 @@
 #include <tencer/optimize_ipopt/backends.hpp>
 #include <thread>
 
-#include "../backend_checks/backend_checks.hpp"
+#include "backend_checks/backend_checks.hpp"
 
 using namespace tencer;
 using namespace tencer::optimize;

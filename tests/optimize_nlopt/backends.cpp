@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <tencer/optimize_nlopt/backends.hpp>
 
-#include "../backend_checks/backend_checks.hpp"
+#include "backend_checks/backend_checks.hpp"
 
 using namespace tencer;
 

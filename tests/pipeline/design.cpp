@@ -12,7 +12,7 @@ using namespace tencer;
 
 namespace {
 
-io::Design through_a_file(const io::Design& design) {
+model::Design through_a_file(const model::Design& design) {
   const auto path =
       std::filesystem::temp_directory_path() / ("tencer-" + std::to_string(::getpid()) + ".json");
   const auto failed = io::write_design(path, design);
@@ -23,7 +23,8 @@ io::Design through_a_file(const io::Design& design) {
   return *read;
 }
 
-void check_rests_in_its_pose(const io::Design& design, const pipeline::SimulateOptions& options) {
+void check_rests_in_its_pose(const model::Design& design,
+                             const pipeline::SimulateOptions& options) {
   const auto simulation = pipeline::simulate(design, options);
   REQUIRE(simulation);
   CHECK(simulation->usable());
@@ -34,22 +35,22 @@ void check_rests_in_its_pose(const io::Design& design, const pipeline::SimulateO
 }  // namespace
 
 // The stages that each method goes through.
-const std::map<std::string, std::vector<std::string>> stages_of{
-    {"force-balance", {"balance", "thin"}},
-    {"dense-springs", {"prune", "greedy", "sparsify", "slide", "thin"}}};
+const std::map<model::Method, std::vector<std::string>> stages_of{
+    {model::Method::force_balance, {"balance", "eliminate"}},
+    {model::Method::dense_springs, {"prune", "greedy", "sparsify", "slide", "eliminate"}}};
 
 TEST_CASE("a closed rod: the design stands, and rests where its file says") {
-  const auto method = GENERATE(as<std::string>{}, "force-balance", "dense-springs");
-  io::Scene scene = trefoil_scene();
+  const auto method = GENERATE(model::Method::force_balance, model::Method::dense_springs);
+  model::Scene scene = trefoil_scene();
   scene.design.method = method;
   std::set<std::string> reported;
-  const io::Design design = designed(scene, {.progress = [&](const sparsify::Progress& progress) {
-                                       reported.insert(std::string(progress.stage));
-                                       CHECK(progress.cables > 0);
-                                       CHECK(progress.seconds >= 0);
-                                     }});
+  const model::Design design = designed(scene, {.progress = [&](const network::Progress& progress) {
+                                          reported.insert(std::string(progress.stage));
+                                          CHECK(progress.cables > 0);
+                                          CHECK(progress.seconds >= 0);
+                                        }});
 
-  CHECK(design.status == io::DesignStatus::complete);
+  CHECK(design.status == model::DesignStatus::complete);
   check_consistent(design);
   CHECK(design.error->max_percent <= scene.design.max_error);
   CHECK(design.certificate->stable);
@@ -57,8 +58,8 @@ TEST_CASE("a closed rod: the design stands, and rests where its file says") {
   CHECK(design.certificate->residual <= 1e-6);
   CHECK(design.certificate->slack_cables == 0);
   CHECK(design.certificate->settles_from_target == true);
-  CHECK(design.cables.size() < 40);  // of the 740 that its vertices have
-  CHECK(design.rods[0].target == scene.rods[0].target.points);
+  CHECK(design.structure.cables.size() < 40);  // of the 740 that its vertices have
+  CHECK(design.target == scene.target.points);
 
   std::set<std::string> recorded;
   for (const auto& row : design.trace) recorded.insert(row.stage);
@@ -69,7 +70,7 @@ TEST_CASE("a closed rod: the design stands, and rests where its file says") {
   }
   CHECK(design.trace.back().stage == "settle");
 
-  const io::Design read = through_a_file(design);
+  const model::Design read = through_a_file(design);
   CHECK(io::design_text(read) == io::design_text(design));
   check_rests_in_its_pose(read, {.start = pipeline::Start::pose});
   check_rests_in_its_pose(read, {.start = pipeline::Start::target});
@@ -79,7 +80,7 @@ TEST_CASE("a closed rod: the design stands, and rests where its file says") {
 
 TEST_CASE("the same scene gives the same design") {
   const auto text = [] {
-    io::Design design = designed(ellipse_scene());
+    model::Design design = designed(ellipse_scene());
     for (auto& row : design.trace) row.seconds = 0;
     return io::design_text(design);
   };
@@ -89,10 +90,10 @@ TEST_CASE("the same scene gives the same design") {
 TEST_CASE("every optimizer of the build finds a design") {
   for (const auto& backend : pipeline::backends()) {
     CAPTURE(backend.name);
-    io::Scene scene = ellipse_scene();
-    scene.design.optimizer = backend.name;
-    const io::Design design = designed(scene);
-    CHECK(design.status == io::DesignStatus::complete);
+    model::Scene scene = ellipse_scene();
+    scene.design.optimizer = optimizer_named(backend.name);
+    const model::Design design = designed(scene);
+    CHECK(design.status == model::DesignStatus::complete);
     check_consistent(design);
   }
 }
@@ -103,33 +104,33 @@ TEST_CASE("rods that rest in the target need no cables") {
       geometry::Polyline{(Eigen::Matrix3Xd(3, 4) << 0, 1, 2, 3, 0, 0, 0, 0, 0, 0, 0, 0).finished(),
                          false});
   CAPTURE(curve.closed);
-  const io::Design design = designed(scene_of({curve}));
-  CHECK(design.cables.empty());
-  CHECK(design.status == io::DesignStatus::complete);
+  const model::Design design = designed(scene_of({curve}));
+  CHECK(design.structure.cables.empty());
+  CHECK(design.status == model::DesignStatus::complete);
   check_consistent(design);
 }
 
 TEST_CASE("a tolerance that cannot be reached is said") {
-  io::Scene scene = ellipse_scene();
+  model::Scene scene = ellipse_scene();
   scene.design.max_error = 1e-9;
-  const io::Design design = designed(scene);
-  CHECK(design.status == io::DesignStatus::tolerance_not_reached);
+  const model::Design design = designed(scene);
+  CHECK(design.status == model::DesignStatus::tolerance_not_reached);
   check_consistent(design);
 }
 
 TEST_CASE("springs need a stiffness in the file") {
-  io::Design design = designed(ellipse_scene());
-  REQUIRE_FALSE(design.cables.empty());
-  design.cables.back().stiffness.reset();
-  design.cables.back().rest_length.reset();
+  model::Design design = designed(ellipse_scene());
+  REQUIRE_FALSE(design.structure.cables.empty());
+  design.structure.cables.back().stiffness = 0;
   const auto simulation = pipeline::simulate(design, {.cables = pipeline::Cables::springs});
   REQUIRE_FALSE(simulation);
-  CHECK(simulation.error().where == "cables[" + std::to_string(design.cables.size() - 1) + "]");
+  CHECK(simulation.error().where ==
+        "cables[" + std::to_string(design.structure.cables.size() - 1) + "]");
   CHECK(pipeline::simulate(design));
 }
 
 TEST_CASE("a simulation that cannot come to rest says so in its design") {
-  const io::Design design = designed(ellipse_scene());
+  const model::Design design = designed(ellipse_scene());
   pipeline::SimulateOptions options{.start = pipeline::Start::target};
   SECTION("stopped") {
     std::stop_source stop;
@@ -138,13 +139,13 @@ TEST_CASE("a simulation that cannot come to rest says so in its design") {
     const auto simulation = pipeline::simulate(design, options);
     REQUIRE(simulation);
     CHECK_FALSE(simulation->usable());
-    CHECK(simulation->design.status == io::DesignStatus::interrupted);
+    CHECK(simulation->design.status == model::DesignStatus::interrupted);
   }
   SECTION("out of iterations") {
     options.solve.max_iterations = 1;
     const auto simulation = pipeline::simulate(design, options);
     REQUIRE(simulation);
     CHECK_FALSE(simulation->usable());
-    CHECK(simulation->design.status == io::DesignStatus::tolerance_not_reached);
+    CHECK(simulation->design.status == model::DesignStatus::tolerance_not_reached);
   }
 }

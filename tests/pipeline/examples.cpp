@@ -19,7 +19,7 @@ std::vector<std::filesystem::path> example_scenes() {
   return scenes;
 }
 
-io::Scene example(const std::string& name) { return scene_at(examples / name); }
+model::Scene example(const std::string& name) { return scene_at(examples / name); }
 
 }  // namespace
 
@@ -28,11 +28,10 @@ TEST_CASE("every example can be read and prepared") {
   REQUIRE(scenes.size() >= 27);
   for (const auto& path : scenes) {
     CAPTURE(path);
-    const io::Scene scene = scene_at(path);
-    CHECK(prepared_of(scene).structure.rods.size() == scene.rods.size());
+    const model::Scene scene = scene_at(path);
+    CHECK(prepared_of(scene).problem.structure.rods.size() == scene.structure.rods.size());
 
-    std::vector<geometry::Polyline> targets;
-    for (const auto& rod : scene.rods) targets.push_back(rod.target);
+    const std::vector<geometry::Polyline> targets = target_curves(scene);
     CHECK(geometry::closest_approach(targets)->distance >
           0.001 * geometry::bounding_box_diagonal(targets));
 
@@ -47,11 +46,10 @@ TEST_CASE("every example can be read and prepared") {
 }
 
 TEST_CASE("the owl is its own mirror image") {
-  const io::Scene owl = example("paper/owl.toml");
-  REQUIRE(owl.rods.size() == 3);
-  for (const auto& rod : owl.rods) {
-    const Eigen::Matrix3Xd& points = rod.target.points;
-    const int n = rod.target.vertices();
+  const model::Scene owl = example("paper/owl.toml");
+  REQUIRE(owl.structure.rods.size() == 3);
+  for (const Eigen::Matrix3Xd& points : owl.target.points) {
+    const auto n = static_cast<int>(points.cols());
     double worst = 0;
     for (int i = 0; i < n; ++i) {
       Eigen::Vector3d mirrored = points.col((n - i) % n);
@@ -63,9 +61,9 @@ TEST_CASE("the owl is its own mirror image") {
 }
 
 TEST_CASE("the helix hangs in a cube") {
-  const io::Scene helix = example("paper/helix.toml");
-  REQUIRE(helix.anchors.cols() == 8);
-  const Eigen::Vector3d size =
-      helix.anchors.rowwise().maxCoeff() - helix.anchors.rowwise().minCoeff();
+  const model::Scene helix = example("paper/helix.toml");
+  const Eigen::Matrix3Xd& anchors = helix.structure.anchors;
+  REQUIRE(anchors.cols() == 8);
+  const Eigen::Vector3d size = anchors.rowwise().maxCoeff() - anchors.rowwise().minCoeff();
   CHECK(size.maxCoeff() == Approx(size.minCoeff()));
 }

@@ -6,10 +6,10 @@
 using namespace tencer;
 
 TEST_CASE("what a method throws comes out of the design as it is") {
-  io::Scene scene = trefoil_scene();
-  scene.design.method = "dense-springs";
-  scene.design.optimizer = "broken";
-  const optimize::Backend broken{.name = "broken",
+  model::Scene scene = trefoil_scene();
+  scene.design.method = model::Method::dense_springs;
+  scene.design.optimizer = model::Optimizer::mma;
+  const optimize::Backend broken{.name = "mma",
                                  .description = "breaks",
                                  .minimise = [](const optimize::Problem&, const Eigen::VectorXd&,
                                                 const optimize::Options&) -> optimize::Report {
@@ -19,11 +19,11 @@ TEST_CASE("what a method throws comes out of the design as it is") {
 }
 
 TEST_CASE("a method that reports nothing but failure leaves a sound design that says so") {
-  io::Scene scene = trefoil_scene();
-  scene.design.method = "dense-springs";
-  scene.design.optimizer = "idle";
+  model::Scene scene = trefoil_scene();
+  scene.design.method = model::Method::dense_springs;
+  scene.design.optimizer = model::Optimizer::mma;
   const optimize::Backend idle{
-      .name = "idle",
+      .name = "mma",
       .description = "gives up",
       .minimise = [](const optimize::Problem& problem, const Eigen::VectorXd& start,
                      const optimize::Options&) {

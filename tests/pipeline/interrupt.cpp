@@ -7,11 +7,11 @@ using namespace tencer;
 
 namespace {
 
-void check_interrupted(const io::Design& design) {
-  CHECK(design.status == io::DesignStatus::interrupted);
+void check_interrupted(const model::Design& design) {
+  CHECK(design.status == model::DesignStatus::interrupted);
   REQUIRE(design.certificate);
   CHECK_FALSE(design.certificate->settles_from_target);  // not tried
-  CHECK_FALSE(design.cables.empty());
+  CHECK_FALSE(design.structure.cables.empty());
   const auto problem = io::design_problem("design.json", design);
   CHECK((problem ? problem->text() : "") == "");
 }
@@ -25,19 +25,21 @@ TEST_CASE("a stop before the start") {
 }
 
 TEST_CASE("a stop in each stage") {
+  using model::Method;
   struct Case {
-    std::string method;
+    Method method;
     std::string stage;
   };
-  for (const Case& stopped : {Case{"force-balance", "thin"}, Case{"dense-springs", "prune"},
-                              Case{"dense-springs", "greedy"}, Case{"dense-springs", "sparsify"},
-                              Case{"dense-springs", "slide"}, Case{"dense-springs", "thin"}}) {
-    CAPTURE(stopped.method, stopped.stage);
+  for (const Case& stopped :
+       {Case{Method::force_balance, "eliminate"}, Case{Method::dense_springs, "prune"},
+        Case{Method::dense_springs, "greedy"}, Case{Method::dense_springs, "sparsify"},
+        Case{Method::dense_springs, "slide"}, Case{Method::dense_springs, "eliminate"}}) {
+    CAPTURE(model::name_of(stopped.method), stopped.stage);
     std::stop_source stop;
-    io::Scene scene = trefoil_scene();
+    model::Scene scene = trefoil_scene();
     scene.design.method = stopped.method;
-    const io::Design design =
-        designed(scene, {.stop = stop.get_token(), .progress = [&](const sparsify::Progress& at) {
+    const model::Design design =
+        designed(scene, {.stop = stop.get_token(), .progress = [&](const network::Progress& at) {
                            if (at.stage == stopped.stage) stop.request_stop();
                          }});
     check_interrupted(design);

@@ -5,11 +5,12 @@
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/equilibrium/stability.hpp>
 #include <tencer/geometry/families.hpp>
+#include <tencer/model/frames.hpp>
 #include <tencer/pipeline/prepare.hpp>
 #include <tencer/pipeline/simulate.hpp>
 
-#include "../equilibrium/second_order.hpp"
-#include "../io/folder.hpp"
+#include "fixtures/folder.hpp"
+#include "fixtures/second_order.hpp"
 #include "scenes.hpp"
 
 using namespace tencer;
@@ -24,12 +25,26 @@ std::string text(double number) {
   return stream.str();
 }
 
-io::Scene scene_of_text(const Folder& folder, const std::string& toml) {
+model::Scene scene_of_text(const Folder& folder, const std::string& toml) {
   return scene_at(folder.put("scene.toml", toml));
 }
 
-pipeline::Prepared prepared(const Folder& folder, const std::string& toml) {
-  return prepared_of(scene_of_text(folder, toml));
+ground_structure::Problem problem_of(const Folder& folder, const std::string& toml) {
+  return prepared_of(scene_of_text(folder, toml)).problem;
+}
+
+// The scene's rods without cables, at the target, with the frames in which they start.
+model::Design bare(const model::Scene& scene) {
+  model::Design design{
+      .structure = scene.structure, .target = scene.target.points, .pose = scene.target.points};
+  for (const auto& rod : prepared_of(scene).problem.start)
+    design.target_directors.push_back(model::directors(rod));
+  design.pose_directors = design.target_directors;
+  return design;
+}
+
+model::Design bare(const Folder& folder, const std::string& toml) {
+  return bare(scene_of_text(folder, toml));
 }
 
 // A straight rod along x.
@@ -40,7 +55,7 @@ std::string line(int edges, double from, double to) {
 }
 
 // Where the rods come to rest without cables, from the target.
-pipeline::Simulation released(const io::Design& file) {
+pipeline::Simulation released(const model::Design& file) {
   const auto simulation = pipeline::simulate(file, {.start = pipeline::Start::target});
   REQUIRE(simulation);
   REQUIRE(simulation->usable());
@@ -52,13 +67,13 @@ double tip(int edges, const std::string& load) {
   const Folder folder;
   const double edge = 100 / (edges - 0.5);
   folder.put("line.csv", line(edges, -edge / 2, 100));
-  const auto scene =
-      prepared(folder, load + "pinned = [{rod = 0, vertex = 0}, {rod = 0, vertex = 1}]\n[[rod]]\n" +
-                           "curve = 'line.csv'\nsection = {shape = 'tube', outer_radius = 0.5, " +
-                           "inner_radius = 0.4, youngs_modulus = 4e6, density = 1900}\n");
-  const auto simulation = released(scene.file);
+  const auto design =
+      bare(folder, load + "pinned = [{rod = 0, vertex = 0}, {rod = 0, vertex = 1}]\n[[rod]]\n" +
+                       "curve = 'line.csv'\nsection = {shape = 'tube', outer_radius = 0.5, " +
+                       "inner_radius = 0.4, youngs_modulus = 4e6, density = 1900}\n");
+  const auto simulation = released(design);
   CHECK(simulation.design.certificate->stable);
-  const auto& pose = simulation.design.rods[0].pose;
+  const auto& pose = simulation.design.pose[0];
   return -pose(2, pose.cols() - 1);
 }
 
@@ -92,20 +107,20 @@ TEST_CASE("a strip between pinned ends buckles about its soft axis at Euler's lo
   const auto critical = [](int edges) {
     const Folder folder;
     folder.put("line.csv", line(edges, 0, 100));
-    const auto scene = prepared(
+    const auto problem = problem_of(
         folder, "pinned = [{rod = 0, vertex = 0}, {rod = 0, vertex = " + std::to_string(edges) +
                     "}]\n[[rod]]\ncurve = 'line.csv'\ndirector = [0, 1, 0]\nsection = {shape = "
                     "'rectangle', width = 0.2, height = 1, youngs_modulus = 4e6}\n");
-    const auto& section = scene.structure.rods[0].section;
+    const auto& section = problem.structure.rods[0].section;
     REQUIRE(section.EI1 == Approx(25 * section.EI2));
-    const equilibrium::System system(scene.structure);
+    const equilibrium::System system(problem.structure);
     const double euler = pi * pi * section.EI2;  // the scaled length is 1
     double stable = 0.5 * euler;
     double unstable = 2 * euler;
     while (unstable - stable > 1e-9 * euler) {
       const double load = (stable + unstable) / 2;
-      const Eigen::Matrix3Xd& x = scene.start[0].x;
-      auto state = equilibrium::make_state(scene.structure, {x * (1 - load / section.EA)});
+      const Eigen::Matrix3Xd& x = problem.start[0].x;
+      auto state = model::make_state(problem.structure, {x * (1 - load / section.EA)});
       der::set_material_frame(state[0], 0, Eigen::Vector3d::UnitY());
       state[0].theta.setConstant(state[0].theta[0]);
       const auto stability = equilibrium::stability(system, state);
@@ -134,18 +149,19 @@ TEST_CASE("a strip that rests in its target is free of force, and comes back to 
   const std::string rest =
       "rest = {family = 'helix', parameters = {diameter = 50, pitch = 33}, vertices = 60, "
       "director = [1, 0.3, 0]}\n";
-  const auto scene = prepared(folder, "[[rod]]\n" + helix + section + rest);
-  const equilibrium::System system(scene.structure);
-  CHECK(system.energy(scene.start) < 1e-12);
-  CHECK(system.gradient(scene.start).norm() < 1e-7);
-  CHECK(released(scene.file).moved_percent < 1e-8);
+  const auto scene = scene_of_text(folder, "[[rod]]\n" + helix + section + rest);
+  const auto problem = prepared_of(scene).problem;
+  const equilibrium::System system(problem.structure);
+  CHECK(system.energy(problem.start) < 1e-12);
+  CHECK(system.gradient(problem.start).norm() < 1e-7);
+  CHECK(released(bare(scene)).moved_percent < 1e-8);
 
   // From a straight line it winds up.
-  io::Design straight = scene.file;
-  const double length = straight.rods[0].length();
-  straight.rods[0].pose.setZero();
-  straight.rods[0].pose.row(0).setLinSpaced(0, length);
-  straight.rods[0].target_directors.resize(3, 0);
+  model::Design straight = bare(scene);
+  const double length = straight.structure.rods[0].length();
+  straight.pose[0].setZero();
+  straight.pose[0].row(0).setLinSpaced(0, length);
+  straight.target_directors[0].resize(3, 0);
   const auto simulation = pipeline::simulate(straight);
   REQUIRE(simulation);
   CHECK(simulation->usable());
@@ -156,12 +172,12 @@ TEST_CASE("a strip that rests in its target is free of force, and comes back to 
 TEST_CASE("a rest curve of other vertices bends the rod alike, to second order") {
   const auto error = [](int vertices) {
     const Folder folder;
-    const auto scene = prepared(
+    const auto design = bare(
         folder,
         "[[rod]]\nfamily = 'ellipse'\nvertices = " + std::to_string(vertices) +
             "\nsection = {EA = 1e6, EI = [3, 1], GJ = 2}\nrest = {family = 'ellipse', vertices = " +
             std::to_string(3 * vertices + 1) + ", director = [1, 0, 0]}\n");
-    return released(scene.file).moved_percent;
+    return released(design).moved_percent;
   };
   check_second_order(error, 20, 0.2);
 }
@@ -170,12 +186,11 @@ TEST_CASE("a rod of constant curvature rests in an arc towards its director") {
   const Folder folder;
   folder.put("line.csv", line(40, 0, 100));
   // A quarter of a circle of radius 100 / (pi / 2).
-  const auto scene =
-      prepared(folder, "[[rod]]\ncurve = 'line.csv'\ndirector = [0, 1, 0]\nrest = {curvature = " +
-                           text(pi / 200) + "}\n");
-  auto held = scene.file;
-  held.pinned = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = 1}};
-  const Eigen::Matrix3Xd pose = released(held).design.rods[0].pose;
+  auto held =
+      bare(folder, "[[rod]]\ncurve = 'line.csv'\ndirector = [0, 1, 0]\nrest = {curvature = " +
+                       text(pi / 200) + "}\n");
+  held.structure.pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = 1}};
+  const Eigen::Matrix3Xd pose = released(held).design.pose[0];
   const Eigen::Vector3d first = pose.col(1) - pose.col(0);
   const Eigen::Vector3d last = pose.col(40) - pose.col(39);
   CHECK(first.normalized().dot(last.normalized()) ==
@@ -191,15 +206,15 @@ TEST_CASE("a ring glued after Michell's turns of twist leaves its plane") {
     double unstable = 1.2 * michell;
     while (unstable - stable > 1e-5) {
       const double turns = (stable + unstable) / 2;
-      auto scene =
-          prepared(folder, "[[rod]]\nfamily = 'circle'\nvertices = " + std::to_string(vertices) +
-                               "\nclosing_turns = " + text(turns) + "\n");
-      scene.structure.planar = true;
-      const auto flat = equilibrium::solve(equilibrium::System(scene.structure), scene.start);
+      auto problem =
+          problem_of(folder, "[[rod]]\nfamily = 'circle'\nvertices = " + std::to_string(vertices) +
+                                 "\nclosing_turns = " + text(turns) + "\n");
+      problem.structure.planar = true;
+      const auto flat = equilibrium::solve(equilibrium::System(problem.structure), problem.start);
       REQUIRE(flat.usable());
-      scene.structure.planar = false;
+      problem.structure.planar = false;
       const auto stability =
-          equilibrium::stability(equilibrium::System(scene.structure), flat.state);
+          equilibrium::stability(equilibrium::System(problem.structure), flat.state);
       REQUIRE(stability.computed);
       (stability.negative == 0 ? stable : unstable) = turns;
     }
@@ -215,12 +230,12 @@ TEST_CASE("twisted rods rest where their file says") {
   const std::string turns = GENERATE("0.5", "1.5");
   CAPTURE(section, turns);
   // Pinned, since an even band can pass its half turn on along itself at no cost.
-  const auto scene =
-      prepared(folder,
-               "pinned = [{rod = 0, vertex = 0}, {rod = 0, vertex = 13}, {rod = 0, vertex = 27}]\n"
-               "[[rod]]\nfamily = 'ellipse'\nvertices = 40\nclosing_turns = " +
-                   turns + "\nsection = " + section + "\n");
-  const auto first = released(scene.file);
+  const auto design =
+      bare(folder,
+           "pinned = [{rod = 0, vertex = 0}, {rod = 0, vertex = 13}, {rod = 0, vertex = 27}]\n"
+           "[[rod]]\nfamily = 'ellipse'\nvertices = 40\nclosing_turns = " +
+               turns + "\nsection = " + section + "\n");
+  const auto first = released(design);
   REQUIRE_FALSE(io::write_design(folder / "design.json", first.design));
   const auto read = io::read_design(folder / "design.json");
   REQUIRE(read);

@@ -1,12 +1,12 @@
 // What a design is and promises does not depend on where the target is, on how it is turned, or on
-// how its rods and vertices are numbered. Which cables thinning ends with does: it goes on until
+// how its rods and vertices are numbered. Which cables elimination ends with does: it goes on until
 // rounding decides between two that are as good.
 #include <Eigen/Geometry>
 #include <functional>
 #include <numbers>
 #include <tencer/geometry/measure.hpp>
+#include <tencer/ground_structure/force_balance.hpp>
 #include <tencer/pipeline/simulate.hpp>
-#include <tencer/sparsify/balance.hpp>
 
 #include "scenes.hpp"
 
@@ -26,11 +26,11 @@ geometry::Polyline ring(int vertices, double phase) {
 }
 
 // Two of them, the second through the first.
-io::Scene linked_scene() {
+model::Scene linked_scene() {
   std::vector<geometry::Polyline> rings{ring(24, 0.3), ring(20, 1.1)};
   rings[1].points.row(1).swap(rings[1].points.row(2));
   rings[1].points.colwise() += Eigen::Vector3d(30, 1, 2);
-  return scene_of(std::move(rings));
+  return scene_of(rings);
 }
 
 // A place on a rod: which, and at what part of its length.
@@ -116,19 +116,16 @@ struct Balanced {
   double max_distance = 0.0;  // of the total length
 };
 
-Balanced balanced(const io::Scene& scene) {
-  const auto prepared = prepared_of(scene);
-  const auto candidates =
-      sparsify::candidates(prepared.structure, prepared.target.points, prepared.rules);
-  REQUIRE(candidates);
-  const double size = size_of(prepared.target.points);
-  const auto stage = sparsify::balance({prepared.structure, prepared.start}, prepared.target,
-                                       *candidates, nullptr, {.percent = 0.03 / size});
-  REQUIRE(stage.sound);
+Balanced balanced(const model::Scene& scene) {
+  const auto problem = prepared_of(scene).problem;
+  const double size = size_of(problem.target.points);
+  const auto stage =
+      ground_structure::force_balance(problem, nullptr, {.max_error_percent = 0.03 / size});
+  REQUIRE(stage.valid());
   Balanced result{.max_distance = stage.trace.back().max_percent / 100 * size};
   for (const auto& rod : stage.network.structure.rods)
     result.rest_lengths.push_back(rod.rest_lengths);
-  const Eigen::VectorXd tensions = sparsify::cable_tensions(stage.network);
+  const Eigen::VectorXd tensions = network::cable_tensions(stage.network);
   const auto place = [&](const springs::End& end) -> Place {
     const auto& on_rod = std::get<springs::OnRod>(end);
     return {on_rod.rod, on_rod.s / result.rest_lengths[on_rod.rod].sum()};
@@ -146,10 +143,16 @@ TEST_CASE("the network that balances forces is the same however its target is se
   const Balanced here = balanced(scene);
   REQUIRE(here.cables.size() > 5);
   for (const View& view : views()) {
-    CAPTURE(view.name, scene.rods.size());
-    io::Scene seen = scene;
-    for (auto& rod : seen.rods) rod.target.points = view.points(rod.target.points);
-    if (view.reordered) std::ranges::reverse(seen.rods);
+    CAPTURE(view.name, scene.structure.rods.size());
+    model::Scene seen = scene;
+    for (std::size_t r = 0; r < seen.target.points.size(); ++r)
+      retarget(seen, r, view.points(seen.target.points[r]));
+    if (view.reordered) {
+      std::ranges::reverse(seen.structure.rods);
+      std::ranges::reverse(seen.target.points);
+      std::ranges::reverse(seen.target.weights);
+      std::ranges::reverse(seen.directors);
+    }
     const Balanced there = balanced(seen);
     CHECK(there.max_distance == Approx(here.max_distance).epsilon(1e-5));
     REQUIRE(there.cables.size() == here.cables.size());
@@ -163,47 +166,48 @@ TEST_CASE("the network that balances forces is the same however its target is se
 }
 
 TEST_CASE("what a design promises it keeps however it is seen") {
-  const io::Design design = designed(linked_scene());
-  REQUIRE(design.status == io::DesignStatus::complete);
+  const model::Design design = designed(linked_scene());
+  REQUIRE(design.complete());
   std::vector<Eigen::VectorXd> rest_lengths;
-  for (const auto& rod : design.rods) rest_lengths.push_back(rod.rest_lengths);
-  const auto size = [](const io::Design& of) {
-    std::vector<Eigen::Matrix3Xd> targets;
-    for (const auto& rod : of.rods) targets.push_back(rod.target);
-    return size_of(targets);
-  };
+  for (const auto& rod : design.structure.rods) rest_lengths.push_back(rod.rest_lengths);
+  const auto rods = static_cast<int>(rest_lengths.size());
   for (const View& view : views()) {
     CAPTURE(view.name);
-    io::Design seen = design;
-    for (auto& rod : seen.rods) {
-      rod.target = view.points(rod.target);
-      rod.pose = view.points(rod.pose);
-      const auto edges = static_cast<int>(rod.rest_lengths.size());
-      const Eigen::VectorXd lengths = rod.rest_lengths;
-      for (int i = 0; i < edges; ++i) rod.rest_lengths[i] = lengths[view.edge(i, edges)];
+    model::Design seen = design;
+    for (int r = 0; r < rods; ++r) {
+      seen.target[r] = view.points(design.target[r]);
+      seen.pose[r] = view.points(design.pose[r]);
+      Eigen::VectorXd& lengths = seen.structure.rods[r].rest_lengths;
+      const auto edges = static_cast<int>(lengths.size());
+      for (int i = 0; i < edges; ++i) lengths[i] = rest_lengths[r][view.edge(i, edges)];
     }
-    if (view.reordered) std::ranges::reverse(seen.rods);
+    if (view.reordered) {
+      std::ranges::reverse(seen.structure.rods);
+      std::ranges::reverse(seen.target);
+      std::ranges::reverse(seen.pose);
+    }
     // Looked at the other way round, the view is undone.
-    for (auto& cable : seen.cables)
-      for (io::CableEnd* end : {&cable.a, &cable.b}) {
-        const double length = rest_lengths[end->rod].sum();
-        const double start = rest_lengths[end->rod].head(view.first).sum();
-        const double s = view.reversed ? start - end->s : end->s - start;
-        end->s = s - length * std::floor(s / length);
-        if (view.reordered) end->rod = static_cast<int>(design.rods.size()) - 1 - end->rod;
+    for (auto& cable : seen.structure.cables)
+      for (springs::End* end : {&cable.a, &cable.b}) {
+        auto& at = std::get<springs::OnRod>(*end);
+        const double length = rest_lengths[at.rod].sum();
+        const double start = rest_lengths[at.rod].head(view.first).sum();
+        const double s = view.reversed ? start - at.s : at.s - start;
+        at.s = s - length * std::floor(s / length);
+        if (view.reordered) at.rod = rods - 1 - at.rod;
       }
     const auto found = pipeline::simulate(seen, {.start = pipeline::Start::target});
     REQUIRE(found);
     REQUIRE(found->usable());
     CHECK(found->moved_percent < 1e-4);
-    const io::Design& there = found->design;
-    const double scale = size(design) / size(there);
+    const model::Design& there = found->design;
+    const double scale = size_of(design.target) / size_of(there.target);
     CHECK(there.error->max_percent == Approx(scale * design.error->max_percent).epsilon(1e-4));
     CHECK(there.error->rms_percent == Approx(scale * design.error->rms_percent).epsilon(1e-4));
     CHECK(there.certificate->stable);
     CHECK(there.certificate->smallest_eigenvalue ==
           Approx(design.certificate->smallest_eigenvalue).epsilon(1e-4));
-    for (std::size_t c = 0; c < design.cables.size(); ++c)
-      CHECK(there.cables[c].tension == Approx(design.cables[c].tension).epsilon(1e-4));
+    for (std::size_t c = 0; c < design.built.size(); ++c)
+      CHECK(there.built[c].tension == Approx(design.built[c].tension).epsilon(1e-4));
   }
 }

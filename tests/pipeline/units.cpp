@@ -6,32 +6,42 @@ using namespace tencer;
 namespace {
 
 // The scene with every length `factor` times as large a number, in the unit that makes it the same.
-io::Scene in_unit(io::Scene scene, const std::string& unit, double factor) {
+model::Scene in_unit(model::Scene scene, const std::string& unit, double factor) {
   scene.length_unit = unit;
-  scene.anchors *= factor;
-  for (io::SceneRod& rod : scene.rods) {
-    rod.target.points *= factor;
-    rod.section.EI *= factor * factor;
-    rod.section.GJ *= factor * factor;
+  model::Structure& structure = scene.structure;
+  structure.anchors *= factor;
+  for (std::size_t r = 0; r < structure.rods.size(); ++r) {
+    retarget(scene, r, factor * scene.target.points[r]);
+    der::Section& section = structure.rods[r].section;
+    for (double* stiffness : {&section.EI1, &section.EI2, &section.GJ})
+      *stiffness *= factor * factor;
   }
   return scene;
+}
+
+// Where the ends of a cable are.
+double place_a(const model::Design& design, std::size_t cable) {
+  return std::get<springs::OnRod>(design.structure.cables[cable].a).s;
+}
+double place_b(const model::Design& design, std::size_t cable) {
+  return std::get<springs::OnRod>(design.structure.cables[cable].b).s;
 }
 
 }  // namespace
 
 TEST_CASE("a unit that is a power of two smaller changes no bit") {
-  const io::Scene scene = ellipse_scene();
-  const io::Design design = designed(scene);
-  const io::Design other = designed(in_unit(scene, "cm / 1024", 1024));
-  REQUIRE_FALSE(design.cables.empty());
-  REQUIRE(other.cables.size() == design.cables.size());
-  for (std::size_t c = 0; c < design.cables.size(); ++c) {
-    CHECK(other.cables[c].length == 1024 * design.cables[c].length);
-    CHECK(other.cables[c].a.s == 1024 * design.cables[c].a.s);
-    CHECK(other.cables[c].b.s == 1024 * design.cables[c].b.s);
-    CHECK(other.cables[c].tension == design.cables[c].tension);
+  const model::Scene scene = ellipse_scene();
+  const model::Design design = designed(scene);
+  const model::Design other = designed(in_unit(scene, "cm / 1024", 1024));
+  REQUIRE_FALSE(design.structure.cables.empty());
+  REQUIRE(other.structure.cables.size() == design.structure.cables.size());
+  for (std::size_t c = 0; c < design.built.size(); ++c) {
+    CHECK(other.built[c].length == 1024 * design.built[c].length);
+    CHECK(place_a(other, c) == 1024 * place_a(design, c));
+    CHECK(place_b(other, c) == 1024 * place_b(design, c));
+    CHECK(other.built[c].tension == design.built[c].tension);
   }
-  CHECK(other.rods[0].pose == 1024 * design.rods[0].pose);
+  CHECK(other.pose[0] == 1024 * design.pose[0]);
   CHECK(other.error->max_percent == design.error->max_percent);
   CHECK(other.certificate->smallest_eigenvalue == design.certificate->smallest_eigenvalue);
 }
@@ -39,26 +49,24 @@ TEST_CASE("a unit that is a power of two smaller changes no bit") {
 // Rounding then differs from the first step on, and an optimizer that stops near the best
 // attachments stops elsewhere near them.
 TEST_CASE("a design does not depend on the unit of length") {
-  const io::Scene scene = ellipse_scene();
-  const io::Design in_cm = designed(scene);
-  REQUIRE_FALSE(in_cm.cables.empty());
+  const model::Scene scene = ellipse_scene();
+  const model::Design in_cm = designed(scene);
+  REQUIRE_FALSE(in_cm.built.empty());
   struct Unit {
     std::string name;
     double factor;
   };
   for (const auto& [name, factor] : {Unit{"mm", 10}, Unit{"m", 0.01}}) {
     CAPTURE(name);
-    const io::Design design = designed(in_unit(scene, name, factor));
+    const model::Design design = designed(in_unit(scene, name, factor));
     CHECK(design.length_unit == name);
     CHECK(design.status == in_cm.status);
-    REQUIRE(design.cables.size() == in_cm.cables.size());
-    for (std::size_t c = 0; c < design.cables.size(); ++c) {
-      const io::DesignCable& cable = design.cables[c];
-      const io::DesignCable& same = in_cm.cables[c];
-      CHECK(cable.length == Approx(factor * same.length).epsilon(1e-6));
-      CHECK(cable.a.s == Approx(factor * same.a.s).epsilon(1e-6));
-      CHECK(cable.b.s == Approx(factor * same.b.s).epsilon(1e-6));
-      CHECK(cable.tension == Approx(same.tension).epsilon(1e-6));
+    REQUIRE(design.built.size() == in_cm.built.size());
+    for (std::size_t c = 0; c < design.built.size(); ++c) {
+      CHECK(design.built[c].length == Approx(factor * in_cm.built[c].length).epsilon(1e-6));
+      CHECK(place_a(design, c) == Approx(factor * place_a(in_cm, c)).epsilon(1e-6));
+      CHECK(place_b(design, c) == Approx(factor * place_b(in_cm, c)).epsilon(1e-6));
+      CHECK(design.built[c].tension == Approx(in_cm.built[c].tension).epsilon(1e-6));
     }
     CHECK(design.error->max_percent == Approx(in_cm.error->max_percent).epsilon(1e-6));
     CHECK(design.certificate->smallest_eigenvalue ==
@@ -67,19 +75,17 @@ TEST_CASE("a design does not depend on the unit of length") {
 }
 
 TEST_CASE("a design does not depend on the unit of force") {
-  const io::Scene scene = ellipse_scene();
-  io::Scene in_mN = scene;
+  const model::Scene scene = ellipse_scene();
+  model::Scene in_mN = scene;
   in_mN.force_unit = "mN";
-  for (io::SceneRod& rod : in_mN.rods) {
-    rod.section.EA *= 1000;
-    rod.section.EI *= 1000;
-    rod.section.GJ *= 1000;
-  }
-  const io::Design design = designed(in_mN);
-  const io::Design in_N = designed(scene);
-  REQUIRE(design.cables.size() == in_N.cables.size());
-  for (std::size_t c = 0; c < design.cables.size(); ++c) {
-    CHECK(design.cables[c].tension == Approx(1000 * in_N.cables[c].tension).epsilon(1e-6));
-    CHECK(design.cables[c].length == Approx(in_N.cables[c].length).epsilon(1e-6));
+  for (der::Rod& rod : in_mN.structure.rods)
+    for (double* stiffness : {&rod.section.EA, &rod.section.EI1, &rod.section.EI2, &rod.section.GJ})
+      *stiffness *= 1000;
+  const model::Design design = designed(in_mN);
+  const model::Design in_N = designed(scene);
+  REQUIRE(design.built.size() == in_N.built.size());
+  for (std::size_t c = 0; c < design.built.size(); ++c) {
+    CHECK(design.built[c].tension == Approx(1000 * in_N.built[c].tension).epsilon(1e-6));
+    CHECK(design.built[c].length == Approx(in_N.built[c].length).epsilon(1e-6));
   }
 }

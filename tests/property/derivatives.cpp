@@ -7,8 +7,8 @@
 
 using namespace tencer;
 using namespace tencer::property;
-using equilibrium::State;
 using equilibrium::System;
+using model::State;
 
 namespace {
 
@@ -31,7 +31,7 @@ Eigen::MatrixXd hessian(const System& system, const State& state) {
 bool is_smooth(const System& system, const State& state) {
   const auto& cables = system.structure().cables;
   for (std::size_t i = 0; i < cables.size(); ++i) {
-    const double length = equilibrium::span_of(system.stencils()[i], state).norm();
+    const double length = model::span_of(system.stencils()[i], state).norm();
     if (cables[i].rest_length > 0 && length < 0.1) return false;
     if (cables[i].tension_only && std::abs(length - cables[i].rest_length) < 0.05) return false;
   }
@@ -78,10 +78,10 @@ Eigen::VectorXd forward_difference(F&& f, double h) {
 
 // Every parameter of the cables but places closer than `step` below a vertex, and rest lengths
 // where the force that they call for has hardly a direction.
-std::vector<sensitivity::Parameter> parameters_of(const System& system, const State& state,
-                                                  double step) {
-  using sensitivity::Kind;
-  std::vector<sensitivity::Parameter> result;
+std::vector<springs::Parameter> parameters_of(const System& system, const State& state,
+                                              double step) {
+  using springs::ParameterKind;
+  std::vector<springs::Parameter> result;
   const auto& cables = system.structure().cables;
   const auto has_room = [&](const springs::End& end) {
     const auto* on_rod = std::get_if<springs::OnRod>(&end);
@@ -92,19 +92,19 @@ std::vector<sensitivity::Parameter> parameters_of(const System& system, const St
     return at.t * rod.edge_length(at.edge) + step < rod.edge_length(at.edge);
   };
   for (int c = 0; c < static_cast<int>(cables.size()); ++c) {
-    result.push_back({Kind::stiffness, c});
-    if (equilibrium::span_of(system.stencils()[c], state).norm() > 0.1)
-      result.push_back({Kind::rest_length, c});
-    if (has_room(cables[c].a)) result.push_back({Kind::position_a, c});
-    if (has_room(cables[c].b)) result.push_back({Kind::position_b, c});
+    result.push_back({ParameterKind::stiffness, c});
+    if (model::span_of(system.stencils()[c], state).norm() > 0.1)
+      result.push_back({ParameterKind::rest_length, c});
+    if (has_room(cables[c].a)) result.push_back({ParameterKind::position_a, c});
+    if (has_room(cables[c].b)) result.push_back({ParameterKind::position_b, c});
   }
   return result;
 }
 
 // The system with parameter j at t more.
-System changed(const System& system, std::span<const sensitivity::Parameter> parameters,
-               Eigen::Index j, double t) {
-  equilibrium::Structure structure = system.structure();
+System changed(const System& system, std::span<const springs::Parameter> parameters, Eigen::Index j,
+               double t) {
+  model::Structure structure = system.structure();
   Eigen::VectorXd p = sensitivity::values(structure.cables, parameters);
   p[j] += t;
   structure.cables = sensitivity::with_values(structure.cables, parameters, p);

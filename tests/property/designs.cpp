@@ -7,14 +7,15 @@
 using namespace tencer;
 using namespace tencer::property;
 using namespace tencer::sensitivity;
+using springs::ParameterKind;
 
 namespace {
 
 constexpr double step = 1e-3;
 
 // Stiffnesses, rest lengths and places; these only within an edge, for at a vertex T is not smooth.
-std::vector<Parameter> smooth_parameters(const equilibrium::System& system) {
-  std::vector<Parameter> result;
+std::vector<springs::Parameter> smooth_parameters(const equilibrium::System& system) {
+  std::vector<springs::Parameter> result;
   const auto& cables = system.structure().cables;
   const auto within = [&](const springs::End& end) {
     const auto& on_rod = std::get<springs::OnRod>(end);
@@ -24,9 +25,9 @@ std::vector<Parameter> smooth_parameters(const equilibrium::System& system) {
     return gone > 4 * step && gone < rod.edge_length(at.edge) - 4 * step;
   };
   for (int c = 0; c < static_cast<int>(cables.size()); ++c) {
-    result.push_back({Kind::stiffness, c});
-    if (within(cables[c].a)) result.push_back({Kind::position_a, c});
-    if (within(cables[c].b)) result.push_back({Kind::position_b, c});
+    result.push_back({ParameterKind::stiffness, c});
+    if (within(cables[c].a)) result.push_back({ParameterKind::position_a, c});
+    if (within(cables[c].b)) result.push_back({ParameterKind::position_b, c});
   }
   return result;
 }
@@ -37,7 +38,7 @@ TEST_CASE("how the distance from a target depends on the cables") {
   rc::prop("gradient, Hessian and its products match differences along a random direction", [] {
     const Held start = held();
     Posed a = start.posed;
-    Target target = make_target(a.structure, a.x);
+    model::Target target = model::make_target(a.structure, a.x);
     for (auto& points : target.points) points += vectors(points.cols(), 0.3);
     Tracker tracker(a.structure, a.state());
     RC_ASSERT(tracker.first().usable());
@@ -46,7 +47,7 @@ TEST_CASE("how the distance from a target depends on the cables") {
     const Eigen::VectorXd p = values(at.cables(), parameters);
     Eigen::VectorXd direction = numbers(p.size(), -1, 1);
     for (Eigen::Index j = 0; j < p.size(); ++j)
-      if (parameters[j].kind == Kind::stiffness) direction[j] *= p[j];
+      if (parameters[j].kind == ParameterKind::stiffness) direction[j] *= p[j];
 
     const Distance distance(target, at.system, at.state);
     const Eigen::VectorXd y = adjoint(at, distance);

@@ -1,6 +1,6 @@
 // Equilibria and what is certified of them do not depend on where a structure is, on how it is
 // numbered, or on units.
-#include <tencer/equilibrium/built.hpp>
+#include <tencer/equilibrium/inextensible.hpp>
 
 #include "transforms.hpp"
 
@@ -27,10 +27,10 @@ Rest at_rest(const Posed& start) {
   for (std::size_t r = 0; r < start.x.size(); ++r) result.posed.x[r] = found.state[r].x;
   result.eigenvalue = equilibrium::stability(system, found.state).smallest_eigenvalue;
   result.tensions = system.internal_forces(found.state).tension;
-  const auto certificate = equilibrium::certify(start.structure, found.state, result.tensions);
-  RC_ASSERT(certificate.stands());
-  result.built_eigenvalue = certificate.stability.smallest_eigenvalue;
-  result.slack = static_cast<int>(certificate.slack.size());
+  const auto assessment = equilibrium::assess(start.structure, found.state, result.tensions);
+  RC_ASSERT(assessment.certified());
+  result.built_eigenvalue = assessment.stability.smallest_eigenvalue;
+  result.slack = static_cast<int>(assessment.slack.size());
   return result;
 }
 

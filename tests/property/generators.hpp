@@ -132,7 +132,7 @@ inline springs::OnRod place(const std::vector<der::Rod>& rods) {
   }
 }
 
-inline springs::Cable cable(const equilibrium::Structure& structure) {
+inline springs::Cable cable(const model::Structure& structure) {
   springs::Cable result{.a = place(structure.rods),
                         .b = place(structure.rods),
                         .stiffness = number(0.1, 20),
@@ -145,10 +145,10 @@ inline springs::Cable cable(const equilibrium::Structure& structure) {
 }
 
 struct Posed {
-  equilibrium::Structure structure;
+  model::Structure structure;
   std::vector<Eigen::Matrix3Xd> x;
 
-  equilibrium::State state() const { return equilibrium::make_state(structure, x); }
+  model::State state() const { return model::make_state(structure, x); }
 };
 
 // Up to three rods of the kinds wished for, each in a pose of its own, with cables.
@@ -167,9 +167,9 @@ Posed posed(Wish&& wish) {
   for (int c = whole(0, 6); c > 0; --c) result.structure.cables.push_back(cable(result.structure));
   // A cable without length has no direction to push in, so it must have no rest length either.
   const equilibrium::System system(result.structure);
-  const equilibrium::State state = result.state();
+  const model::State state = result.state();
   for (std::size_t c = 0; c < result.structure.cables.size(); ++c)
-    if (equilibrium::span_of(system.stencils()[c], state).norm() < 1e-6)
+    if (model::span_of(system.stencils()[c], state).norm() < 1e-6)
       result.structure.cables[c].rest_length = 0;
   return result;
 }
@@ -208,7 +208,7 @@ inline Held held() {
   const auto certificate = equilibrium::stability(system, found.state);
   RC_PRE(certificate.stable() && certificate.smallest_eigenvalue > 50);
   for (const springs::Stencil& stencil : system.stencils())
-    RC_PRE(equilibrium::span_of(stencil, found.state).norm() > 0.05);
+    RC_PRE(model::span_of(stencil, found.state).norm() > 0.05);
   return {a, certificate.smallest_eigenvalue};
 }
 

@@ -5,8 +5,8 @@
 
 using namespace tencer;
 using namespace tencer::property;
-using equilibrium::State;
 using equilibrium::System;
+using model::State;
 
 namespace {
 

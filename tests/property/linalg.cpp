@@ -1,7 +1,7 @@
 #include <tencer/linalg/nonnegative.hpp>
 #include <tencer/linalg/symmetric_factor.hpp>
 
-#include "../eigenvalues.hpp"
+#include "eigenvalues.hpp"
 #include "generators.hpp"
 
 using namespace tencer;

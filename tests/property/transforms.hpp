@@ -9,7 +9,7 @@
 namespace tencer::property {
 
 template <class Place>
-void move_ends(equilibrium::Structure& structure, int rod, Place&& place) {
+void move_ends(model::Structure& structure, int rod, Place&& place) {
   for (springs::Cable& cable : structure.cables)
     for (springs::End* end : {&cable.a, &cable.b})
       if (auto* on_rod = std::get_if<springs::OnRod>(end); on_rod && on_rod->rod == rod)
@@ -29,7 +29,7 @@ inline Posed moved(Posed a, const Motion& by) {
   return a;
 }
 
-inline equilibrium::State moved(equilibrium::State state, const Motion& by) {
+inline model::State moved(model::State state, const Motion& by) {
   for (der::RodState& rod : state) {
     rod.x = ((by.turn * rod.x).colwise() + by.shift).eval();
     rod.frames.tangent = by.turn * rod.frames.tangent;

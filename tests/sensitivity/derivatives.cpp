@@ -11,12 +11,12 @@ double relative(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 }
 
 struct Derivatives {
-  std::vector<Parameter> parameters;
+  std::vector<springs::Parameter> parameters;
   Eigen::VectorXd p, adjoint, gradient;
   Eigen::MatrixXd motions, hessian;
   LeastSquares squares;
 
-  Derivatives(const Target& target, const Configuration& at)
+  Derivatives(const model::Target& target, const Configuration& at)
       : parameters(all_parameters(at.system.structure())), p(values(at.cables(), parameters)) {
     const Distance d = distance(target, at);
     adjoint = sensitivity::adjoint(at, d);
@@ -64,7 +64,7 @@ TEST_CASE("Gauss-Newton's residual rates agree with differences") {
     INFO(e.name);
     Tracker tracker = track(e);
     // At a target that the structure attains the residual's rates are those of the residual itself.
-    Target target = e.target;
+    model::Target target = e.target;
     for (std::size_t r = 0; r < target.points.size(); ++r)
       target.points[r] = tracker.committed().state[r].x;
     const Derivatives at(target, tracker.committed());
@@ -119,7 +119,7 @@ TEST_CASE("moving the target rigidly changes nothing where it is aligned") {
     const registration::RigidMotion motion{
         .rotation = Eigen::AngleAxisd(2.6, axis).toRotationMatrix(),
         .translation = e.target.planar ? Eigen::Vector3d(3, -1, 0) : Eigen::Vector3d(3, -1, 2)};
-    Target moved = e.target;
+    model::Target moved = e.target;
     for (auto& points : moved.points) points = motion.apply(points);
     const Derivatives there(moved, tracker.committed());
     CHECK(deviation(moved, tracker.committed().state).value ==

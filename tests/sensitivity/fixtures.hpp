@@ -9,11 +9,13 @@
 
 namespace tencer::sensitivity {
 
+using springs::ParameterKind;
+
 struct Example {
   std::string name{};
-  equilibrium::Structure structure{};
+  model::Structure structure{};
   std::vector<Eigen::Matrix3Xd> start{};
-  Target target{};
+  model::Target target{};
 };
 
 inline Eigen::Matrix3Xd ring(int n, double radius, double wave, const Eigen::Vector3d& centre) {
@@ -80,7 +82,7 @@ inline Example closed_rod(double EA) {
   e.structure.rods = {rod_along(e.start[0], true, round_section(EA))};
   e.structure.cables = {cable(0, 0.33, 0, 3.4, 4.0, 0.5), cable(0, 1.21, 0, 4.57, 3.0, 0.9),
                         cable(0, 2.05, 0, -0.85, 2.0, 0.0), cable(0, 5.05, 0, 3.13, 5.0, 0.3)};
-  e.target = make_target(e.structure, nearby(e.start));
+  e.target = model::make_target(e.structure, nearby(e.start));
   return e;
 }
 
@@ -90,7 +92,7 @@ inline Example open_rod() {
   e.structure.rods = {rod_along(e.start[0], false, round_section(500))};
   e.structure.cables = {cable(0, 0.02, 0, 4.57, 4.0, 0.8), cable(0, 0.71, 0, 3.03, 2.0, 0.6),
                         cable(0, 2.05, 0, 4.05, 2.0, 0.2)};
-  e.target = make_target(e.structure, nearby(e.start));
+  e.target = model::make_target(e.structure, nearby(e.start));
   e.target.weights = {Eigen::VectorXd::LinSpaced(20, 0, 2)};
   return e;
 }
@@ -104,7 +106,7 @@ inline Example anchored_rod() {
   e.structure.cables.push_back(anchored(1, 0, 2.6, 2.0, 0.3));
   e.structure.cables.push_back(anchored(2, 0, 1.5, 2.5, 0.0));
   e.structure.cables.push_back(anchored(3, 0, 4.0, 2.5, 0.7));
-  e.target = make_target(e.structure, nearby(e.start));
+  e.target = model::make_target(e.structure, nearby(e.start));
   return e;
 }
 
@@ -117,7 +119,7 @@ inline Example two_rods() {
     e.structure.cables.push_back(cable(0, 1.21 * c + 0.1, 1, 0.97 * c + 0.4, 2.0 + c, 0.3));
   e.structure.cables.push_back(cable(0, 0.45, 0, 3.52, 1.5, 0.5));
   e.structure.cables.push_back(cable(1, 0.13, 1, 2.52, 1.5, 0.5));
-  e.target = make_target(e.structure, nearby(e.start));
+  e.target = model::make_target(e.structure, nearby(e.start));
   return e;
 }
 
@@ -128,7 +130,7 @@ inline Example planar_rod() {
   e.structure.planar = true;
   e.structure.cables = {cable(0, 0.33, 0, 3.4, 3.0, 0.5), cable(0, 1.21, 0, 4.57, 2.0, 0.9),
                         cable(0, 2.05, 0, 5.35, 1.0, 0.0)};
-  e.target = make_target(e.structure, nearby(e.start));
+  e.target = model::make_target(e.structure, nearby(e.start));
   return e;
 }
 
@@ -152,24 +154,24 @@ inline std::vector<Example> examples() {
 }
 
 inline Tracker track(const Example& e, const TrackerOptions& options = {.tolerance = 1e-13}) {
-  return Tracker(e.structure, equilibrium::make_state(e.structure, e.start), options);
+  return Tracker(e.structure, model::make_state(e.structure, e.start), options);
 }
 
 // All parameters that may vary both ways.
-inline std::vector<Parameter> all_parameters(const equilibrium::Structure& structure) {
-  std::vector<Parameter> parameters;
+inline std::vector<springs::Parameter> all_parameters(const model::Structure& structure) {
+  std::vector<springs::Parameter> parameters;
   for (int c = 0; c < static_cast<int>(structure.cables.size()); ++c) {
-    parameters.push_back({Kind::stiffness, c});
-    if (structure.cables[c].rest_length > 0) parameters.push_back({Kind::rest_length, c});
+    parameters.push_back({ParameterKind::stiffness, c});
+    if (structure.cables[c].rest_length > 0) parameters.push_back({ParameterKind::rest_length, c});
     if (std::holds_alternative<springs::OnRod>(structure.cables[c].a))
-      parameters.push_back({Kind::position_a, c});
+      parameters.push_back({ParameterKind::position_a, c});
     if (std::holds_alternative<springs::OnRod>(structure.cables[c].b))
-      parameters.push_back({Kind::position_b, c});
+      parameters.push_back({ParameterKind::position_b, c});
   }
   return parameters;
 }
 
-inline Distance distance(const Target& target, const Configuration& at) {
+inline Distance distance(const model::Target& target, const Configuration& at) {
   return Distance(target, at.system, at.state);
 }
 

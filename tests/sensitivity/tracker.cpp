@@ -5,7 +5,7 @@
 namespace tencer::sensitivity {
 namespace {
 
-double distance_between(const equilibrium::State& a, const equilibrium::State& b) {
+double distance_between(const model::State& a, const model::State& b) {
   double largest = 0;
   for (std::size_t r = 0; r < a.size(); ++r)
     largest = std::max(largest, (a[r].x - b[r].x).colwise().norm().maxCoeff());
@@ -32,7 +32,7 @@ Example shallow_arch() {
   e.structure.anchors = Eigen::Vector3d(0.5, -3, 0);
   const double length = e.structure.rods[0].length();
   e.structure.cables = {anchored(0, 0, 0.49 * length, 20.0, 3.1)};
-  e.target = make_target(e.structure, e.start);
+  e.target = model::make_target(e.structure, e.start);
   return e;
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("a trial depends on the committed configuration and the cables alone")
       if (auto* end = std::get_if<springs::OnRod>(&other[c].b)) end->s -= 0.4;
     }
     REQUIRE(tracker.evaluate(one).usable());
-    const equilibrium::State before = tracker.trial().state;
+    const model::State before = tracker.trial().state;
     tracker.evaluate(other);
     REQUIRE(tracker.evaluate(one).usable());
     CHECK(distance_between(tracker.trial().state, before) == 0);
@@ -62,7 +62,7 @@ TEST_CASE("a trial depends on the committed configuration and the cables alone")
 TEST_CASE("trials leave the committed configuration alone until one is committed") {
   const Example e = two_rods();
   Tracker tracker = track(e);
-  const equilibrium::State before = tracker.committed().state;
+  const model::State before = tracker.committed().state;
   auto cables = e.structure.cables;
   cables[2].rest_length += 0.01;
   const Trial trial = tracker.evaluate(cables);
@@ -70,14 +70,14 @@ TEST_CASE("trials leave the committed configuration alone until one is committed
   CHECK(trial.motion > 1e-3);
   CHECK(distance_between(tracker.committed().state, before) == 0);
   CHECK(tracker.committed().cables()[2].rest_length == e.structure.cables[2].rest_length);
-  const equilibrium::State after = tracker.trial().state;
+  const model::State after = tracker.trial().state;
   tracker.commit();
   CHECK(distance_between(tracker.committed().state, after) == 0);
   CHECK(tracker.committed().cables()[2].rest_length == cables[2].rest_length);
   CHECK_THROWS_AS(tracker.commit(), std::invalid_argument);
   // Back again, but for a rigid motion: nothing is lost on the way.
   REQUIRE(tracker.evaluate(e.structure.cables).usable());
-  const Target there{.points = {before[0].x, before[1].x}};
+  const model::Target there{.points = {before[0].x, before[1].x}};
   CHECK(deviation(there, tracker.trial().state).max < 1e-8);
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("attachments go the short way round a closed rod") {
   auto cables = e.structure.cables;
   position_a(cables[0]) = -0.01;
   REQUIRE(tracker.evaluate(cables).usable());
-  const equilibrium::State there = tracker.trial().state;
+  const model::State there = tracker.trial().state;
   position_a(cables[0]) = length - 0.01;
   const Trial trial = tracker.evaluate(cables);
   REQUIRE(trial.usable());
@@ -125,10 +125,10 @@ TEST_CASE("attachments go the short way round a closed rod") {
 TEST_CASE("rebased cables move nothing") {
   const Example e = closed_rod(1e3);
   Tracker tracker = track(e);
-  const equilibrium::State before = tracker.committed().state;
+  const model::State before = tracker.committed().state;
   auto cables = e.structure.cables;
   for (std::size_t c = 0; c < cables.size(); ++c) {
-    const auto span = equilibrium::span_of(tracker.committed().system.stencils()[c], before);
+    const auto span = model::span_of(tracker.committed().system.stencils()[c], before);
     cables[c].stiffness = 2 * e.structure.cables[c].stiffness;
     cables[c].rest_length = (span.norm() + cables[c].rest_length) / 2;
   }
@@ -162,7 +162,7 @@ TEST_CASE("a snapping arch is a failed evaluation and changes nothing") {
   CHECK_THROWS_AS(tracker.commit(), std::invalid_argument);
 
   // There is an equilibrium to jump to: the other side.
-  equilibrium::Structure pulled = e.structure;
+  model::Structure pulled = e.structure;
   pulled.cables = cables;
   const auto below = equilibrium::solve(equilibrium::System(pulled), tracker.committed().state);
   REQUIRE(below.usable());
@@ -193,7 +193,7 @@ TEST_CASE("a change too large for one step is followed in parts") {
     REQUIRE(by_hand.evaluate(part).usable());
     by_hand.commit();
   }
-  const Target there{.points = {by_hand.committed().state[0].x}};
+  const model::Target there{.points = {by_hand.committed().state[0].x}};
   CHECK(deviation(there, in_parts.trial().state).max < 1e-9);
 }
 
@@ -213,15 +213,17 @@ TEST_CASE("cables that are not the committed ones are refused") {
 
 TEST_CASE("parameters are read from and written to cables") {
   const Example e = anchored_rod();
-  const std::vector<Parameter> parameters{
-      {Kind::stiffness, 1}, {Kind::position_b, 3}, {Kind::rest_length, 0}, {Kind::position_a, 2}};
+  const std::vector<springs::Parameter> parameters{{ParameterKind::stiffness, 1},
+                                                   {ParameterKind::position_b, 3},
+                                                   {ParameterKind::rest_length, 0},
+                                                   {ParameterKind::position_a, 2}};
   const auto& cables = e.structure.cables;
   CHECK(values(cables, parameters) == Eigen::Vector4d(2.0, 0.31, 0.8, 2.05));
   const auto changed = with_values(cables, parameters, Eigen::Vector4d(1, 2, 3, 4));
   CHECK(values(changed, parameters) == Eigen::Vector4d(1, 2, 3, 4));
-  const std::vector<Parameter> anchored_end{{Kind::position_a, 3}};
+  const std::vector<springs::Parameter> anchored_end{{ParameterKind::position_a, 3}};
   CHECK_THROWS_AS(values(cables, anchored_end), std::invalid_argument);
-  const std::vector<Parameter> none{{Kind::stiffness, 17}};
+  const std::vector<springs::Parameter> none{{ParameterKind::stiffness, 17}};
   CHECK_THROWS_AS(values(cables, none), std::invalid_argument);
 }
 

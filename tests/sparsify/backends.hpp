@@ -11,7 +11,7 @@
 #include <tencer/optimize_nlopt/backends.hpp>
 #endif
 
-namespace tencer::sparsify::test {
+namespace tencer::fixtures {
 
 inline std::vector<optimize::Backend> backends() {
   std::vector<optimize::Backend> all{optimize::gauss_newton()};
@@ -25,6 +25,8 @@ inline std::vector<optimize::Backend> backends() {
 }
 
 // Enough for what the tests ask.
-inline OuterOptions quick() { return {.rounds = 3, .iterations = 30, .iterations_without = 60}; }
+inline sparsify::OuterOptions quick() {
+  return {.rounds = 3, .iterations = 30, .iterations_without = 60};
+}
 
-}  // namespace tencer::sparsify::test
+}  // namespace tencer::fixtures

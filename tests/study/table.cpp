@@ -21,7 +21,7 @@ Row finished() {
           .max_percent = 0.1 + 0.2,
           .rms_percent = 1e-7,
           .seconds = 12.5,
-          .stages = {{"prune", 0.5}, {"thin", 2}},
+          .stages = {{"prune", 0.5}, {"eliminate", 2}},
           .stands = true,
           .settles = false,
           .smallest_eigenvalue = 3.25e4,
@@ -71,10 +71,10 @@ TEST_CASE("rows of a study come back from its table") {
 
 TEST_CASE("stages have their columns in the order in which runs have them") {
   Row other = finished();
-  other.stages = {{"prune", 1}, {"greedy", 2}, {"thin", 3}};
+  other.stages = {{"prune", 1}, {"greedy", 2}, {"eliminate", 3}};
   const std::string text = table_text(std::vector{finished(), other});
   CHECK_THAT(text,
-             Catch::Matchers::Contains(",seconds,seconds_prune,seconds_greedy,seconds_thin,"));
+             Catch::Matchers::Contains(",seconds,seconds_prune,seconds_greedy,seconds_eliminate,"));
   CHECK_THAT(text, Catch::Matchers::Contains(",12.5,0.5,,2,"));
   CHECK_THAT(text, Catch::Matchers::Contains(",12.5,1,2,3,"));
 }
@@ -91,12 +91,13 @@ TEST_CASE("a table that is none is refused with its line and column") {
 }
 
 TEST_CASE("a design's row has its numbers, stages added up") {
-  io::Design design;
-  design.status = io::DesignStatus::complete;
-  design.rods.resize(2);
-  design.rods[0].target = Eigen::Matrix3Xd::Zero(3, 20);
-  design.rods[1].target = Eigen::Matrix3Xd::Zero(3, 5);
-  design.cables = {{.a = {.rod = 0}, .b = {.rod = 1}}, {.a = {.rod = 0}, .b = {.anchor = 3}}};
+  model::Design design;
+  design.status = model::DesignStatus::complete;
+  design.structure.rods.resize(2);
+  design.target = {Eigen::Matrix3Xd::Zero(3, 20), Eigen::Matrix3Xd::Zero(3, 5)};
+  design.structure.cables = {{.a = springs::OnRod{0}, .b = springs::OnRod{1}},
+                             {.a = springs::OnRod{0}, .b = springs::AtAnchor{3}}};
+  design.built.resize(2);
   design.error = {.max_percent = 0.5, .rms_percent = 0.2};
   design.certificate.emplace();
   design.certificate->smallest_eigenvalue = 900;
@@ -104,7 +105,7 @@ TEST_CASE("a design's row has its numbers, stages added up") {
   design.certificate->settles_from_target = true;
   for (const auto& [stage, seconds] :
        {std::pair("balance", 1.0), {"settle", 0.25}, {"settle", 0.5}}) {
-    io::TraceRow& one = design.trace.emplace_back();
+    model::StageRow& one = design.trace.emplace_back();
     one.stage = stage;
     one.seconds = seconds;
   }

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "../geometry/cube.hpp"
 #include "figures.hpp"
+#include "fixtures/cube.hpp"
 
 namespace tencer::symmetry {
 namespace {
@@ -248,12 +248,12 @@ TEST_CASE("arc length at rest is what counts") {
 
 TEST_CASE("given generators are checked and completed") {
   const Figure figure = trefoil(100);
-  const auto rotations = verify(figure, std::vector<Generator>{Rotation{.fold = 3}});
+  const auto rotations = verify(figure, std::vector<model::SymmetryGenerator>{Rotation{.fold = 3}});
   REQUIRE(rotations);
   CHECK(rotations->group.order() == 3);
-  const auto all =
-      verify(figure, std::vector<Generator>{Rotation{.fold = 3},
-                                            Rotation{.axis = Eigen::Vector3d::UnitY(), .fold = 2}});
+  const auto all = verify(
+      figure, std::vector<model::SymmetryGenerator>{
+                  Rotation{.fold = 3}, Rotation{.fold = 2, .axis = Eigen::Vector3d::UnitY()}});
   REQUIRE(all);
   CHECK(all->group.order() == 6);
   check_operations(figure, *all, 1e-3);
@@ -266,18 +266,23 @@ TEST_CASE("given generators are checked and completed") {
 TEST_CASE("generators given for a figure away from the origin") {
   Figure figure = figure_of({geometry::torus_knot(5, 3, 3.0, 1.0, 201)});
   figure.curves[0].points.row(0).array() += 1e4;
-  const auto found = verify(
-      figure, std::vector<Generator>{Rotation{.point = {1e4, 0, 7}, .axis = {0, 0, 2}, .fold = 3}});
+  const auto found =
+      verify(figure, std::vector<model::SymmetryGenerator>{Rotation{
+                         .fold = 3, .axis = {0, 0, 2}, .point = Eigen::Vector3d(1e4, 0, 7)}});
   REQUIRE(found);
   CHECK(found->group.order() == 3);
   CHECK(found->misfit < 1e-6);
+  // Through the centroid when no point is given.
+  const auto central = verify(figure, std::vector<model::SymmetryGenerator>{Rotation{.fold = 3}});
+  REQUIRE(central);
+  CHECK(central->group.order() == 3);
 }
 
 TEST_CASE("a generator that misses says by how much") {
   const Figure figure = trefoil(100);
-  const auto missed = verify(
-      figure,
-      std::vector<Generator>{Rotation{.fold = 3}, Reflection{.normal = Eigen::Vector3d::UnitZ()}});
+  const auto missed =
+      verify(figure, std::vector<model::SymmetryGenerator>{
+                         Rotation{.fold = 3}, Reflection{.normal = Eigen::Vector3d::UnitZ()}});
   REQUIRE_FALSE(missed);
   CHECK(missed.error().where == "symmetry[1]");
   CHECK_THAT(missed.error().message, Catch::Contains("the reflection with normal (0, 0, 1)") &&
@@ -285,7 +290,7 @@ TEST_CASE("a generator that misses says by how much") {
                                          Catch::Contains("where 0.1 % is allowed"));
   Figure anchored = trefoil(102);
   anchored.anchors = Eigen::Vector3d(20, 1, 0);
-  const auto anchor = verify(anchored, std::vector<Generator>{Rotation{.fold = 3}});
+  const auto anchor = verify(anchored, std::vector<model::SymmetryGenerator>{Rotation{.fold = 3}});
   REQUIRE_FALSE(anchor);
   CHECK_THAT(anchor.error().message, Catch::Contains("anchor 0 misses"));
 }
@@ -294,9 +299,10 @@ TEST_CASE("generators that belong to no finite group are refused") {
   // Each fits a large polygon's circle, the two axes cross at an angle of no finite group.
   const Figure figure = figure_of({geometry::circle(4.0, 600)});
   const double angle = 1.0;
-  const auto found = verify(
-      figure, std::vector<Generator>{Reflection{.normal = {1, 0, 0}},
-                                     Reflection{.normal = {std::cos(angle), std::sin(angle), 0}}});
+  const auto found =
+      verify(figure, std::vector<model::SymmetryGenerator>{
+                         Reflection{.normal = {1, 0, 0}},
+                         Reflection{.normal = {std::cos(angle), std::sin(angle), 0}}});
   REQUIRE_FALSE(found);
   CHECK(found.error().where == "symmetry");
   CHECK_THAT(found.error().message, Catch::Contains("more than 240"));
@@ -308,7 +314,7 @@ TEST_CASE("figures whose parts do not fit are refused") {
   CHECK_THROWS_AS(detect(figure), std::invalid_argument);
   CHECK_THROWS_AS(detect(Figure{}), std::invalid_argument);
   CHECK_THROWS_AS(detect(trefoil(50), {.tolerance = 0.0}), std::invalid_argument);
-  CHECK_THROWS_AS(verify(trefoil(50), std::vector<Generator>{Rotation{.fold = 1}}),
+  CHECK_THROWS_AS(verify(trefoil(50), std::vector<model::SymmetryGenerator>{Rotation{.fold = 1}}),
                   std::invalid_argument);
 }
 

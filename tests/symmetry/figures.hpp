@@ -12,6 +12,9 @@
 
 namespace tencer::symmetry {
 
+using model::Reflection;
+using model::Rotation;
+
 inline Figure figure_of(std::vector<geometry::Polyline> curves) {
   Figure figure{.curves = std::move(curves)};
   for (const geometry::Polyline& curve : figure.curves)
@@ -66,14 +69,14 @@ inline double span(const Figure& figure, const springs::Cable& cable) {
 // How many axes of the fold, and mirror planes.
 inline int axes(const Symmetry& symmetry, int fold) {
   int count = 0;
-  for (const Generator& element : symmetry.elements)
+  for (const model::SymmetryGenerator& element : symmetry.elements)
     if (const auto* rotation = std::get_if<Rotation>(&element))
       count += rotation->fold == fold ? 1 : 0;
   return count;
 }
 inline int planes(const Symmetry& symmetry) {
   int count = 0;
-  for (const Generator& element : symmetry.elements)
+  for (const model::SymmetryGenerator& element : symmetry.elements)
     count += std::holds_alternative<Reflection>(element) ? 1 : 0;
   return count;
 }

@@ -13,14 +13,16 @@ namespace {
 using springs::AtAnchor;
 using springs::Cable;
 using springs::OnRod;
+using springs::ParameterKind;
 
 std::vector<Cable> moved_to(std::vector<Cable> cables, const Ties& ties, const Eigen::VectorXd& p) {
   for (int i = 0; i < p.size(); ++i) {
     const auto [kind, cable] = ties.parameters[i];
-    if (kind == Kind::stiffness)
+    if (kind == ParameterKind::stiffness)
       cables[cable].stiffness = p[i];
     else
-      std::get<OnRod>(kind == Kind::position_a ? cables[cable].a : cables[cable].b).s = p[i];
+      std::get<OnRod>(kind == ParameterKind::position_a ? cables[cable].a : cables[cable].b).s =
+          p[i];
   }
   return cables;
 }
@@ -29,9 +31,11 @@ Eigen::VectorXd parameters_of(const std::vector<Cable>& cables, const Ties& ties
   Eigen::VectorXd p(std::ssize(ties.parameters));
   for (int i = 0; i < p.size(); ++i) {
     const auto [kind, cable] = ties.parameters[i];
-    p[i] = kind == Kind::stiffness
-               ? cables[cable].stiffness
-               : std::get<OnRod>(kind == Kind::position_a ? cables[cable].a : cables[cable].b).s;
+    p[i] =
+        kind == ParameterKind::stiffness
+            ? cables[cable].stiffness
+            : std::get<OnRod>(kind == ParameterKind::position_a ? cables[cable].a : cables[cable].b)
+                  .s;
   }
   return p;
 }
@@ -68,7 +72,8 @@ void check_invariant(const std::vector<Cable>& cables, const Group& group) {
 struct MirroredRing {
   Figure figure = figure_of({geometry::circle(4.0, 100)});
   double length = figure.rods[0].length();
-  Group group = verify(figure, std::vector<Generator>{Reflection{.normal = {0, 1, 0}}})->group;
+  Group group =
+      verify(figure, std::vector<model::SymmetryGenerator>{Reflection{.normal = {0, 1, 0}}})->group;
 };
 
 }  // namespace
@@ -141,7 +146,7 @@ TEST_CASE("a cable that is its own image keeps one free position or none") {
   REQUIRE(ties.parameters.size() == 9);
   REQUIRE(ties.free.size() == 2 + 1 + 3);
   const Eigen::MatrixXd matrix = ties.matrix;
-  CHECK(ties.free[1].kind == Kind::position_a);
+  CHECK(ties.free[1].kind == ParameterKind::position_a);
   CHECK(matrix(1, 1) == 1.0);
   CHECK(matrix(2, 1) == -1.0);
   CHECK(std::abs(ties.offset[1]) < 1e-9);
@@ -179,14 +184,14 @@ TEST_CASE("free variables reproduce orbits and keep them symmetric as they slide
     // z holds parameters of the orbits' first cables.
     for (std::size_t j = 0; j < ties.free.size(); ++j) {
       const auto row = std::find_if(
-          ties.parameters.begin(), ties.parameters.end(), [&](const Parameter& parameter) {
+          ties.parameters.begin(), ties.parameters.end(), [&](const springs::Parameter& parameter) {
             return parameter.kind == ties.free[j].kind && parameter.cable == ties.free[j].cable;
           });
       CHECK(std::abs(z[j] - p[row - ties.parameters.begin()]) < 1e-9);
     }
     // Small steps, but over several cells of arc length and over seams.
     for (int j = 0; j < z.size(); ++j)
-      z[j] += (ties.free[j].kind == Kind::stiffness ? 0.3 : 0.02) *
+      z[j] += (ties.free[j].kind == ParameterKind::stiffness ? 0.3 : 0.02) *
               std::uniform_real_distribution<>(-1, 1)(random);
     check_invariant(moved_to(cables, ties, ties.matrix * z + ties.offset), group);
   }
@@ -194,7 +199,8 @@ TEST_CASE("free variables reproduce orbits and keep them symmetric as they slide
 
 TEST_CASE("sliding across the seam stays symmetric") {
   const Figure figure = trefoil(102);
-  const Group group = verify(figure, std::vector<Generator>{Rotation{.fold = 3}})->group;
+  const Group group =
+      verify(figure, std::vector<model::SymmetryGenerator>{Rotation{.fold = 3}})->group;
   const double length = figure.rods[0].length();
   const std::vector<Cable> cables =
       orbit({.a = OnRod{0, length - 0.01}, .b = OnRod{0, 0.4 * length}, .stiffness = 1.0}, group);
@@ -221,12 +227,24 @@ TEST_CASE("projecting averages what is nearly symmetric") {
   const Eigen::VectorXd z = project(ties, rough);
   double sum = 0.0;
   for (int i = 0; i < p.size(); ++i)
-    if (ties.parameters[i].kind == Kind::stiffness) sum += rough[i];
+    if (ties.parameters[i].kind == ParameterKind::stiffness) sum += rough[i];
   CHECK(z[0] == Approx(sum / 6).epsilon(1e-14));
   // The residual is perpendicular to all symmetric changes.
   const Eigen::VectorXd residual = rough - ties.matrix * z - ties.offset;
   CHECK((ties.matrix.transpose() * residual).norm() < 1e-12);
   CHECK(residual.norm() > 1e-3);
+}
+
+TEST_CASE("rest lengths may be what symmetric cables share") {
+  const Figure figure = trefoil(102);
+  const Group group = detect(figure).group;
+  std::mt19937 random(4);
+  const std::vector<Cable> cables = orbit(random_cable(random, figure), group);
+  const Ties ties = tie_cables(cables, group, ParameterKind::rest_length);
+  CHECK(ties.parameters[0].kind == ParameterKind::rest_length);
+  CHECK(ties.free[0].kind == ParameterKind::rest_length);
+  CHECK(ties.matrix.isApprox(tie_cables(cables, group).matrix));
+  CHECK_THROWS_AS(tie_cables(cables, group, ParameterKind::position_b), std::invalid_argument);
 }
 
 TEST_CASE("completing a network adds what is missing and doubles nothing") {
@@ -255,9 +273,9 @@ TEST_CASE("cables to anchors") {
   // The helix starts at (4, 0, 0) and ends above: its 2-fold axis lies along x at half height.
   figure.anchors.resize(3, 3);
   figure.anchors << 9, 2, 2, 0, 7, -7, 3, 5, 1;
-  const auto found =
-      verify(figure, std::vector<Generator>{Rotation{
-                         .point = {0, 0, 3}, .axis = Eigen::Vector3d::UnitX(), .fold = 2}});
+  const auto found = verify(
+      figure, std::vector<model::SymmetryGenerator>{Rotation{
+                  .fold = 2, .axis = Eigen::Vector3d::UnitX(), .point = Eigen::Vector3d(0, 0, 3)}});
   REQUIRE(found);
   const Group& group = found->group;
   REQUIRE(group.order() == 2);

@@ -1,4 +1,5 @@
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <cmath>
 #include <tencer/core/error.hpp>
@@ -77,6 +78,46 @@ RigidMotion align(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
   motion.rotation = best_rotation(a, b, weights, size, far);
   motion.translation = to_centre - motion.rotation * from_centre;
   return motion;
+}
+
+RigidMotion align_in_plane(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
+                           const Eigen::VectorXd& weights) {
+  core::require(from.cols() == to.cols() && from.cols() == weights.size() && from.cols() > 0,
+                "align_in_plane: needs as many points and weights on either side");
+  Eigen::Vector3d from_centre = from * weights / weights.sum();
+  Eigen::Vector3d to_centre = to * weights / weights.sum();
+  from_centre.z() = to_centre.z() = 0;
+  double cosine = 0;
+  double sine = 0;
+  for (Eigen::Index i = 0; i < to.cols(); ++i) {
+    const Eigen::Vector3d a = to.col(i) - to_centre;
+    const Eigen::Vector3d b = from.col(i) - from_centre;
+    cosine += weights[i] * (a.x() * b.x() + a.y() * b.y());
+    sine += weights[i] * (b.x() * a.y() - b.y() * a.x());
+  }
+  const double norm = std::hypot(cosine, sine);
+  RigidMotion motion;
+  if (norm > 0) {
+    motion.rotation.topLeftCorner<2, 2>() << cosine, -sine, sine, cosine;
+    motion.rotation.topLeftCorner<2, 2>() /= norm;
+  }
+  motion.translation = to_centre - motion.rotation * from_centre;
+  return motion;
+}
+
+std::array<OrthogonalFit, 2> orthogonal_fits(const Eigen::Matrix3Xd& from,
+                                             const Eigen::Matrix3Xd& to) {
+  core::require(from.cols() == to.cols(), "orthogonal_fits: needs as many points on either side");
+  const Eigen::Matrix3d product = to * from.transpose();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(product, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Matrix3d straight = svd.matrixU() * svd.matrixV().transpose();
+  const Eigen::Matrix3d flipped =
+      svd.matrixU() * Eigen::Vector3d(1, 1, -1).asDiagonal() * svd.matrixV().transpose();
+  const bool proper = straight.determinant() > 0.0;
+  std::array<OrthogonalFit, 2> fits{OrthogonalFit{.matrix = proper ? straight : flipped},
+                                    OrthogonalFit{.matrix = proper ? flipped : straight}};
+  for (OrthogonalFit& fit : fits) fit.squares = (fit.matrix * from - to).squaredNorm();
+  return fits;
 }
 
 }  // namespace tencer::registration

@@ -32,34 +32,11 @@ Stacked stack(const model::Target& target, const State& state) {
   return all;
 }
 
-// The best motion that keeps z: a turn about z. No turn where none is better than another.
-registration::RigidMotion align_in_plane(const Stacked& all) {
-  Eigen::Vector3d centre = all.target * all.weights / all.weights.sum();
-  Eigen::Vector3d x_centre = all.x * all.weights / all.weights.sum();
-  centre.z() = x_centre.z() = 0;
-  double cosine = 0;
-  double sine = 0;
-  for (Eigen::Index i = 0; i < all.x.cols(); ++i) {
-    const Eigen::Vector3d a = all.x.col(i) - x_centre;
-    const Eigen::Vector3d b = all.target.col(i) - centre;
-    cosine += all.weights[i] * (a.x() * b.x() + a.y() * b.y());
-    sine += all.weights[i] * (b.x() * a.y() - b.y() * a.x());
-  }
-  const double norm = std::hypot(cosine, sine);
-  registration::RigidMotion motion;
-  if (norm > 0) {
-    motion.rotation.topLeftCorner<2, 2>() << cosine, -sine, sine, cosine;
-    motion.rotation.topLeftCorner<2, 2>() /= norm;
-  }
-  motion.translation = x_centre - motion.rotation * centre;
-  return motion;
-}
-
 Deviation measure(const model::Target& target, const Stacked& all) {
   Deviation result;
   if (target.align)
-    result.motion =
-        target.planar ? align_in_plane(all) : registration::align(all.target, all.x, all.weights);
+    result.motion = (target.planar ? registration::align_in_plane : registration::align)(
+        all.target, all.x, all.weights);
   const Eigen::VectorXd squares =
       (all.x - result.motion.apply(all.target)).colwise().squaredNorm().transpose();
   result.value = all.weights.dot(squares);

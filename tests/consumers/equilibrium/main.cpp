@@ -12,13 +12,13 @@ int main() {
   for (int i = 0; i < n; ++i) {
     x.col(i) << 1.3 * std::cos(2 * pi * i / n), 0.8 * std::sin(2 * pi * i / n), 0.0;
   }
-  const tencer::equilibrium::Structure structure{
+  const tencer::model::Structure structure{
       .rods = {{.closed = true,
                 .section = tencer::der::solid_circle(1e9, 0.3, 1e-2),
                 .rest_lengths = Eigen::VectorXd::Constant(n, 0.1)}}};
   const tencer::equilibrium::System system(structure);
   const auto result =
-      tencer::equilibrium::solve(system, tencer::equilibrium::make_state(structure, {x}));
+      tencer::equilibrium::solve(system, tencer::model::make_state(structure, {x}));
 
   const Eigen::Matrix3Xd& ring = result.state[0].x;
   const Eigen::RowVectorXd radii = (ring.colwise() - ring.rowwise().mean()).colwise().norm();

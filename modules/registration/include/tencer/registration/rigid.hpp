@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 namespace tencer::registration {
 
@@ -21,5 +22,21 @@ struct RigidMotion {
 // For collinear or coincident points, where it is not unique, the smallest rotation is returned.
 RigidMotion align(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
                   const Eigen::VectorXd& weights);
+
+// The same among the motions that keep z: a turn about it and a shift across it. No turn where none
+// is better than another.
+RigidMotion align_in_plane(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
+                           const Eigen::VectorXd& weights);
+
+// An orthogonal matrix Q, and what is left: sum_i |Q from_i - to_i|^2.
+struct OrthogonalFit {
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
+  double squares = 0.0;
+};
+
+// The best fits of two point sets (3 x n) about the origin: a rotation, then a reflection or rotary
+// reflection.
+std::array<OrthogonalFit, 2> orthogonal_fits(const Eigen::Matrix3Xd& from,
+                                             const Eigen::Matrix3Xd& to);
 
 }  // namespace tencer::registration

@@ -1,0 +1,52 @@
+#include "curves/curve_json.hpp"
+
+#include <array>
+
+#include "curves/finish_curve.hpp"
+#include "design/json_value.hpp"
+#include "text/bad_input.hpp"
+#include "text/text.hpp"
+
+namespace tencer::io {
+namespace {
+
+geometry::Polyline parse_points(const JsonValue& points, std::optional<bool> closed) {
+  const std::vector<JsonValue> items = points.items();
+  ListedCurve curve;
+  for (const JsonValue& item : items) curve.points.push_back(item.point());
+  curve.closed = closed;
+  curve.where = points.where();
+  curve.where_of = [&](int i) { return items[i].where(); };
+  curve.name_of = [](int i) { return "point " + std::to_string(i); };
+  return finish_curve(curve);
+}
+
+// A misspelt "closed" must not turn a ring into an open rod.
+void check_keys(const JsonValue& curve) {
+  static constexpr std::array<std::string_view, 2> known{"closed", "points"};
+  for (const auto& [key, value] : curve.raw().items())
+    if (key != known[0] && key != known[1])
+      curve.fail("unknown key " + key + "; " + suggestion(key, known));
+}
+
+}  // namespace
+
+std::vector<geometry::Polyline> parse_curve_json(std::string_view text, const std::string& file) {
+  const nlohmann::json content = JsonValue::parse(text, file);
+  const JsonValue root(content, file);
+  if (content.is_array()) return {parse_points(root, std::nullopt)};
+  if (!content.is_object())
+    root.fail("expected {\"curves\": [...]} or an array of points [x, y, z]");
+  const JsonValue list = root["curves"];
+  std::vector<geometry::Polyline> curves;
+  for (const JsonValue& curve : list.items()) {
+    std::optional<bool> closed;
+    if (curve.has("closed")) closed = curve["closed"].boolean();
+    check_keys(curve);
+    curves.push_back(parse_points(curve["points"], closed));
+  }
+  if (curves.empty()) list.fail("holds no curves");
+  return curves;
+}
+
+}  // namespace tencer::io

@@ -1,0 +1,18 @@
+// The design as JSON, both ways.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <tencer/io/design.hpp>
+
+#include "design/json_value.hpp"
+
+namespace tencer::io {
+
+inline constexpr const char* design_schema = "tencer-design/1";
+
+// Throws BadInput for everything design.hpp says is checked.
+model::Design design_from_json(const JsonValue& root);
+
+nlohmann::ordered_json design_to_json(const model::Design& design);
+
+}  // namespace tencer::io

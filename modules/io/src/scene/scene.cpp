@@ -1,0 +1,347 @@
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <tencer/geometry/frame.hpp>
+#include <tencer/geometry/measure.hpp>
+#include <tencer/geometry/sampling.hpp>
+#include <tencer/io/curve.hpp>
+#include <tencer/io/file.hpp>
+#include <tencer/io/scene.hpp>
+#include <tencer/model/units.hpp>
+#include <utility>
+
+#include "scene/scene_rods.hpp"
+#include "scene/scene_section.hpp"
+#include "scene/toml_value.hpp"
+#include "text/bad_input.hpp"
+#include "text/text.hpp"
+
+namespace tencer::io {
+namespace {
+
+using geometry::Polyline;
+using model::Scene;
+
+// ---- what refers to rods
+
+int rod_index(const TomlTable& table, const Scene& scene) {
+  const int rod = table.need("rod", table.integer("rod", 0));
+  const int rods = static_cast<int>(scene.structure.rods.size());
+  if (rod >= rods)
+    table.fail("rod", "there is no rod " + std::to_string(rod) + "; " + index_range(rods));
+  return rod;
+}
+
+void check_vertex(const TomlTable& table, std::string_view key, int vertex, const der::Rod& rod) {
+  if (vertex >= rod.vertices())
+    table.fail(key,
+               "there is no vertex " + std::to_string(vertex) + "; " + index_range(rod.vertices()));
+}
+
+model::Pin read_pin(const TomlTable& table, const Scene& scene) {
+  table.only({"rod", "vertex", "axes"});
+  model::Pin pin;
+  pin.rod = rod_index(table, scene);
+  pin.vertex = table.need("vertex", table.integer("vertex", 0));
+  check_vertex(table, "vertex", pin.vertex, scene.structure.rods[pin.rod]);
+  const std::string axes = table.text("axes").value_or("xyz");
+  if (axes.empty() || axes.find_first_not_of("xyz") != std::string::npos)
+    table.fail("axes", "expected letters of \"xyz\", found \"" + axes + "\"");
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    pin.axes[axis] = axes.find("xyz"[axis]) != std::string::npos;
+  return pin;
+}
+
+model::PointLoad read_load(const TomlTable& table, const Scene& scene) {
+  table.only({"rod", "s", "force"});
+  model::PointLoad load;
+  load.rod = rod_index(table, scene);
+  load.s = table.need("s", table.at_least_zero("s"));
+  const double length = scene.structure.rods[load.rod].length();
+  if (load.s > length) table.fail("s", "expected an arc length from 0 to " + to_text(length));
+  load.force = table.need("force", table.point("force"));
+  return load;
+}
+
+model::Arc read_arc(const TomlTable& table, const Scene& scene) {
+  const int r = rod_index(table, scene);
+  const der::Rod& rod = scene.structure.rods[r];
+  const double length = rod.length();
+  const auto bound = [&](std::string_view key) {
+    const double s = table.need(key, table.at_least_zero(key));
+    if (s > length) table.fail(key, "expected an arc length from 0 to " + to_text(length));
+    return s;
+  };
+  const model::Arc arc{.rod = r, .from = bound("from"), .to = bound("to")};
+  if (!rod.closed && arc.from > arc.to)
+    table.fail("from", "must not be larger than to on an open rod");
+  return arc;
+}
+
+bool contains(const model::Arc& arc, double s) {
+  return arc.from <= arc.to ? s >= arc.from && s <= arc.to : s >= arc.from || s <= arc.to;
+}
+
+geometry::ArcLength arc_length(const Scene& scene, int rod) {
+  return {scene.structure.rods[rod].rest_lengths, scene.structure.rods[rod].closed};
+}
+
+void read_weights(const TomlTable& design, Scene& scene) {
+  for (const TomlTable& table : design.tables("weights")) {
+    table.only({"rod", "from", "to", "weight"});
+    const int r = rod_index(table, scene);
+    const model::Arc arc =
+        table.has("from") || table.has("to")
+            ? read_arc(table, scene)
+            : model::Arc{.rod = r, .from = 0.0, .to = scene.structure.rods[r].length()};
+    const double weight = table.need("weight", table.at_least_zero("weight"));
+    const geometry::ArcLength positions = arc_length(scene, r);
+    Eigen::VectorXd& weights = scene.target.weights[r];
+    for (Eigen::Index i = 0; i < weights.size(); ++i)
+      if (contains(arc, positions.knots()[i])) weights[i] = weight;
+  }
+  const bool some = std::ranges::any_of(
+      scene.target.weights, [](const Eigen::VectorXd& weights) { return weights.maxCoeff() > 0; });
+  if (!some) design.fail("weights", "all vertices have weight 0; leave some to be matched");
+}
+
+void read_forbidden(const TomlTable& design, Scene& scene) {
+  auto& forbidden = scene.rules.forbidden;
+  for (const TomlTable& table : design.tables("forbidden_arcs")) {
+    table.only({"rod", "from", "to"});
+    forbidden.push_back(read_arc(table, scene));
+  }
+  for (const TomlTable& table : design.tables("forbidden_vertices")) {
+    table.only({"rod", "vertices"});
+    const int r = rod_index(table, scene);
+    const geometry::ArcLength positions = arc_length(scene, r);
+    for (const int vertex : table.need("vertices", table.integers("vertices"))) {
+      check_vertex(table, "vertices", vertex, scene.structure.rods[r]);
+      const double s = positions.knots()[vertex];
+      forbidden.push_back({.rod = r, .from = s, .to = s});
+    }
+  }
+}
+
+void read_rod_pairs(const TomlTable& design, Scene& scene) {
+  const auto lists = design.integer_lists("rod_pairs");
+  if (!lists) return;
+  const int rods = static_cast<int>(scene.structure.rods.size());
+  std::vector<model::RodPair> pairs;
+  for (const std::vector<int>& list : *lists) {
+    if (list.size() != 2)
+      design.fail("rod_pairs",
+                  "expected pairs [a, b], found an array of " + std::to_string(list.size()));
+    for (const int rod : list)
+      if (rod >= rods)
+        design.fail("rod_pairs",
+                    "there is no rod " + std::to_string(rod) + "; " + index_range(rods));
+    pairs.push_back({std::min(list[0], list[1]), std::max(list[0], list[1])});
+  }
+  if (pairs.empty() && (scene.structure.anchors.cols() == 0 || !scene.rules.external))
+    design.fail("rod_pairs",
+                "is empty and there are no cables to anchors, so no cable is left; "
+                "name a pair of rods, such as [0, 0] for cables within rod 0");
+  scene.rules.pairs = std::move(pairs);
+}
+
+model::SymmetryGenerator read_generator(const TomlTable& table) {
+  table.only({"fold", "axis", "normal", "point"});
+  const auto direction = [&](std::string_view key) {
+    const Eigen::Vector3d value = table.need(key, table.point(key));
+    if (!(value.norm() > 0)) table.fail(key, "must not be zero: it has no direction");
+    return value;
+  };
+  if (table.has("normal")) {
+    for (const std::string_view key : {"fold", "axis"})
+      if (table.has(key))
+        table.fail(key, "is of a rotation, normal of a reflection; make them two tables");
+    return model::Reflection{.normal = direction("normal"), .point = table.point("point")};
+  }
+  constexpr int max_fold = 240;
+  return model::Rotation{.fold = table.need("fold", table.integer("fold", 2, max_fold)),
+                         .axis = direction("axis"),
+                         .point = table.point("point")};
+}
+
+// The value that a key names; the present one when the key is not there.
+template <class Enum>
+void choose(const TomlTable& design, std::string_view key, std::span<const Enum> allowed,
+            Enum& value) {
+  std::vector<std::string_view> names;
+  for (const Enum choice : allowed) names.push_back(model::name_of(choice));
+  if (const auto name = design.one_of(key, names)) value = *model::named<Enum>(*name);
+}
+
+template <class Enum>
+void choose(const TomlTable& design, std::string_view key, Enum& value) {
+  std::vector<Enum> all;
+  for (const auto& [choice, name] : model::names<Enum>()) all.push_back(choice);
+  choose<Enum>(design, key, all, value);
+}
+
+void read_symmetry(const TomlTable& design, Scene& scene) {
+  using model::SymmetryUse;
+  if (!design.is_array("symmetry")) {
+    constexpr std::array words{SymmetryUse::none, SymmetryUse::suggest, SymmetryUse::detect};
+    choose<SymmetryUse>(design, "symmetry", words, scene.design.symmetry);
+    return;
+  }
+  scene.design.symmetry = SymmetryUse::given;
+  for (const TomlTable& table : design.tables("symmetry"))
+    scene.generators.push_back(read_generator(table));
+}
+
+void read_optimizer(const TomlTable& design, model::DesignSettings& settings) {
+  choose(design, "optimizer", settings.optimizer);
+  choose(design, "hessian", settings.hessian);
+  if (design.has("hessian"))
+    if (const auto problem = model::hessian_problem(settings)) design.fail("hessian", *problem);
+}
+
+void read_hand_over(const TomlTable& design, Scene& scene) {
+  scene.design.hand_over = design.boolean("hand_over").value_or(scene.design.hand_over);
+  if (!scene.design.hand_over) return;
+  if (scene.structure.pins.empty())
+    design.fail("hand_over", "is true, but the scene has no pinned vertices to hand over");
+  if (scene.structure.anchors.cols() == 0)
+    design.fail("hand_over",
+                "is true, but the scene has no anchors to hand its pins over to; add anchors = "
+                "[[x, y, z], ...] or frame = {shape = \"cube\"}");
+}
+
+void read_external(const TomlTable& design, Scene& scene) {
+  scene.rules.external = design.boolean("external").value_or(scene.rules.external);
+  if (design.has("external") && scene.rules.external && scene.structure.anchors.cols() == 0)
+    design.fail("external",
+                "is true, but the scene has no anchors; add anchors = [[x, y, z], ...] or "
+                "frame = {shape = \"cube\"}");
+}
+
+void read_design(const TomlTable& design, Scene& scene) {
+  design.only({"method", "optimizer", "hessian", "max_error", "cables", "objective", "symmetry",
+               "rod_pairs", "external", "hand_over", "longest_cable", "weights", "forbidden_arcs",
+               "forbidden_vertices", "sparsity_weights", "spring_stiffness", "greedy_threshold",
+               "threads"});
+  model::DesignSettings& settings = scene.design;
+  const auto positive = [&](std::string_view key, double& value) {
+    value = design.positive(key).value_or(value);
+  };
+  choose(design, "method", settings.method);
+  choose(design, "objective", settings.objective);
+  read_symmetry(design, scene);
+  read_optimizer(design, settings);
+  positive("max_error", settings.max_error);
+  settings.cables = design.integer("cables", 1);
+  positive("longest_cable", scene.rules.max_cable_length);
+  settings.threads = design.integer("threads", 1);
+  positive("spring_stiffness", settings.spring_stiffness);
+  positive("greedy_threshold", settings.greedy_threshold);
+  settings.sparsity_weights =
+      design.numbers("sparsity_weights").value_or(settings.sparsity_weights);
+  const auto& weights = settings.sparsity_weights;
+  if (weights.empty() || weights[0] < 0 ||
+      std::ranges::adjacent_find(weights, std::greater_equal{}) != weights.end())
+    design.fail("sparsity_weights", "expected increasing numbers that are not negative");
+  read_external(design, scene);
+  read_hand_over(design, scene);
+  read_rod_pairs(design, scene);
+  read_weights(design, scene);
+  read_forbidden(design, scene);
+}
+
+// The corners of a frame about all targets.
+Eigen::Matrix3Xd frame_anchors(const TomlTable& frame, const Scene& scene) {
+  frame.only({"shape", "margin"});
+  const std::string shape = frame.need(
+      "shape", frame.one_of("shape", std::array<std::string_view, 2>{"cube", "tetrahedron"}));
+  const std::vector<Polyline> targets = model::target_curves(scene);
+  Eigen::Index vertices = 0;
+  for (const Polyline& target : targets) vertices += target.points.cols();
+  Eigen::Matrix3Xd points(3, vertices);
+  for (Eigen::Index at = 0; const Polyline& target : targets) {
+    points.middleCols(at, target.points.cols()) = target.points;
+    at += target.points.cols();
+  }
+  constexpr double standard_margin = 0.1;  // of the bounding-box diagonal
+  const double margin =
+      frame.positive("margin").value_or(standard_margin * geometry::bounding_box_diagonal(targets));
+  return geometry::enclosing_frame(
+      shape == "cube" ? geometry::FrameShape::cube : geometry::FrameShape::tetrahedron, points,
+      margin, scene.structure.planar);
+}
+
+// All z coordinates of a planar scene are the same.
+void check_plane(const Scene& scene, const std::string& where) {
+  constexpr double negligible_gap = 1e-9;  // relative to the bounding-box diagonal
+  const auto curves = model::target_curves(scene);
+  const double z = curves[0].points(2, 0);
+  const double tolerance = negligible_gap * geometry::bounding_box_diagonal(curves);
+  for (std::size_t r = 0; r < curves.size(); ++r)
+    for (int i = 0; i < curves[r].vertices(); ++i)
+      if (std::abs(curves[r].points(2, i) - z) > tolerance)
+        fail(where, "planar: all z coordinates must be the same, but vertex 0 of rod 0 has z = " +
+                        to_text(z) + " and vertex " + std::to_string(i) + " of rod " +
+                        std::to_string(r) + " has z = " + to_text(curves[r].points(2, i)));
+  const Eigen::Matrix3Xd& anchors = scene.structure.anchors;
+  for (Eigen::Index i = 0; i < anchors.cols(); ++i)
+    if (std::abs(anchors(2, i) - z) > tolerance)
+      fail(where,
+           "planar: all z coordinates must be the same, but the rods have z = " + to_text(z) +
+               " and anchor " + std::to_string(i) + " has z = " + to_text(anchors(2, i)));
+}
+
+void check_vertices(const Scene& scene) {
+  if (const auto touching = model::touching_vertices(scene)) fail(scene.source, *touching);
+}
+
+Scene parse_scene(const TomlTable& root, const std::filesystem::path& path) {
+  root.only({"name", "length_unit", "force_unit", "planar", "anchors", "frame", "pinned", "gravity",
+             "loads", "rod", "design"});
+  Scene scene;
+  model::Structure& structure = scene.structure;
+  scene.name = root.text("name").value_or(path.stem().string());
+  scene.source = path.string();
+  scene.length_unit = root.one_of("length_unit", model::length_units()).value_or(scene.length_unit);
+  scene.force_unit = root.one_of("force_unit", model::force_units()).value_or(scene.force_unit);
+  structure.planar = root.boolean("planar").value_or(structure.planar);
+  scene.target.planar = structure.planar;
+  structure.anchors = root.points("anchors").value_or(structure.anchors);
+  read_rods(root, path.parent_path(), root.point("gravity").value_or(Eigen::Vector3d::Zero()),
+            scene);
+  if (const auto frame = root.table("frame")) {
+    if (root.has("anchors"))
+      root.fail("frame", "its corners are the anchors; give either frame or anchors");
+    structure.anchors = frame_anchors(*frame, scene);
+  }
+  for (const TomlTable& pin : root.tables("pinned")) structure.pins.push_back(read_pin(pin, scene));
+  for (const TomlTable& load : root.tables("loads"))
+    structure.point_loads.push_back(read_load(load, scene));
+  if (const auto design = root.table("design")) read_design(*design, scene);
+  check_vertices(scene);
+  if (structure.planar) check_plane(scene, root.where("planar"));
+  return scene;
+}
+
+}  // namespace
+
+core::Expected<Scene> read_scene(const std::filesystem::path& path) {
+  return guarded([&] {
+    const std::string text = value_or_fail(read_file(path));
+    const toml::table content = TomlTable::parse(text, path.string());
+    return parse_scene(TomlTable(content, path.string()), path);
+  });
+}
+
+core::Expected<Scene> scene_of_curves(const std::vector<Polyline>& curves,
+                                      const std::filesystem::path& source) {
+  return guarded([&] {
+    if (curves.empty()) fail(source.string(), "holds no curves");
+    Scene scene = model::scene_of(curves, source.stem().string());
+    scene.source = source.string();
+    check_vertices(scene);
+    return scene;
+  });
+}
+
+}  // namespace tencer::io

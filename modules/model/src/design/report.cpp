@@ -1,0 +1,127 @@
+// Designs in words.
+#include <iomanip>
+#include <sstream>
+#include <tencer/model/design.hpp>
+
+namespace tencer::model {
+namespace {
+
+std::string counted(int count, const std::string& thing) {
+  return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
+}
+
+std::string status_words(DesignStatus status) {
+  switch (status) {
+    case DesignStatus::complete:
+      return "complete";
+    case DesignStatus::tolerance_not_reached:
+      return "not complete";
+    case DesignStatus::interrupted:
+      return "interrupted";
+  }
+  return {};
+}
+
+std::string goal_words(const Goal& goal) {
+  std::ostringstream text;
+  text << std::setprecision(3);
+  if (goal.by_number())
+    text << "the closest design with at most " << counted(goal.cables, "cable");
+  else
+    text << "the fewest cables within " << goal.max_error_percent << " % of the target's size";
+  return text.str();
+}
+
+std::string stage_table(const std::vector<StageRow>& trace) {
+  std::ostringstream text;
+  text << std::left << std::setw(12) << "stage" << std::right << std::setw(9) << "seconds"
+       << std::setw(8) << "cables" << std::setw(10) << "max %" << std::setw(10) << "rms %"
+       << std::setw(8) << "solves"
+       << "  note\n"
+       << std::setprecision(3);
+  for (const StageRow& row : trace)
+    text << std::left << std::setw(12) << row.stage << std::right << std::setw(9) << row.seconds
+         << std::setw(8) << row.cables << std::setw(10) << row.max_percent << std::setw(10)
+         << row.rms_percent << std::setw(8) << row.solves << "  " << row.note << '\n';
+  return text.str();
+}
+
+}  // namespace
+
+std::vector<std::string> shortfalls(const Design& design) {
+  std::vector<std::string> reasons;
+  const auto add = [&](bool holds, const std::string& reason) {
+    if (holds) reasons.push_back(reason);
+  };
+  if (design.goal && design.error && !design.goal->met(score_of(design))) {
+    std::ostringstream text;
+    if (design.goal->by_number())
+      text << "it has more cables than the " << design.goal->cables << " asked for";
+    else
+      text << "the max error is above the " << design.goal->max_error_percent << " % asked for";
+    reasons.push_back(text.str());
+  }
+  if (!design.certificate) return reasons;
+  const Certificate& certificate = *design.certificate;
+  add(!certificate.stable, "it does not stand");
+  add(certificate.floating_components > 1, "nothing ties its " +
+                                               std::to_string(certificate.floating_components) +
+                                               " groups of rods to each other");
+  add(!certificate.settles_from_target.value_or(true),
+      "let go at the target it comes to rest elsewhere");
+  return reasons;
+}
+
+std::string summary(const Design& design) {
+  std::ostringstream text;
+  const auto cables = static_cast<int>(design.structure.cables.size());
+  const int external = external_cables(design);
+  text << counted(cables, "cable");
+  if (design.structure.anchors.cols() > 0)
+    text << " (" << cables - external << " internal, " << external << " external)";
+  text << std::setprecision(3);
+  if (design.error)
+    text << ", max error " << design.error->max_percent << " %, rms " << design.error->rms_percent
+         << " % of the target's size";
+  text << '\n';
+  if (!design.certificate) return text.str();
+  const Certificate& certificate = *design.certificate;
+  text << (certificate.stable ? "stands" : "does not stand")
+       << " with inextensible cables: force imbalance " << certificate.residual
+       << ", smallest eigenvalue " << certificate.smallest_eigenvalue << " (" << eigenvalue_unit
+       << "), " << counted(certificate.slack_cables, "slack cable") << '\n';
+  if (certificate.settles_from_target)
+    text << (*certificate.settles_from_target
+                 ? "let go at the target it comes to rest in this pose\n"
+                 : "let go at the target it comes to rest elsewhere\n");
+  return text.str();
+}
+
+std::string Design::brief_report() const {
+  std::ostringstream text;
+  text << std::setprecision(3) << (name.empty() ? "design" : name) << ": " << status_words(status)
+       << ", " << counted(static_cast<int>(structure.cables.size()), "cable");
+  if (error) text << ", max error " << error->max_percent << " %";
+  if (certificate) {
+    text << (certificate->stable ? ", stands" : ", does not stand");
+    if (certificate->settles_from_target)
+      text << (*certificate->settles_from_target ? ", settles from the target"
+                                                 : ", settles elsewhere");
+  }
+  return text.str();
+}
+
+std::string Design::full_report() const {
+  std::string text = (name.empty() ? "design" : name) + ": " + status_words(status) + '\n';
+  if (goal) text += "asked for: " + goal_words(*goal) + '\n';
+  for (const std::string& reason : shortfalls(*this)) text += "falls short: " + reason + '\n';
+  if (status == DesignStatus::interrupted)
+    text += "interrupted: this is the best design so far\n";
+  else if (structure.cables.empty() && complete())
+    text += "the rods rest in this shape by themselves\n";
+  text += summary(*this);
+  if (!trace.empty()) text += stage_table(trace);
+  return text;
+}
+
+}  // namespace tencer::model
