@@ -11,8 +11,8 @@
 #include <cstdio>
 #include <functional>
 #include <string>
+#include <tencer/curves/analytic.hpp>
 #include <tencer/equilibrium/solve.hpp>
-#include <tencer/geometry/curves.hpp>
 #include <tencer/geometry/frame.hpp>
 #include <tencer/io/scene.hpp>
 #include <tencer/pipeline/design.hpp>
@@ -50,7 +50,7 @@ io::Scene scene_of(std::vector<geometry::Polyline> curves) {
 }
 
 io::Scene trefoil() {
-  return scene_of({geometry::trefoil(geometry::TrefoilForm::hypotrochoid, 198, 102)});
+  return scene_of({curves::trefoil(curves::TrefoilForm::hypotrochoid, 198, 102)});
 }
 
 void print(const char* part, const char* problem, const char* what, double left_out, double kept,
@@ -164,8 +164,8 @@ io::Scene twisted(io::Scene scene) {
 }
 
 io::Scene planar_ellipses(bool planar) {
-  geometry::Polyline inner = geometry::ellipse(15, 6, 60);
-  io::Scene scene = scene_of({geometry::ellipse(32.5, 22, 100), inner});
+  geometry::Polyline inner = curves::ellipse(15, 6, 60);
+  io::Scene scene = scene_of({curves::ellipse(32.5, 22, 100), inner});
   scene.planar = planar;
   return scene;
 }
@@ -193,8 +193,8 @@ int main(int argc, char** argv) {
   const bool quick = argc > 1 && std::string(argv[1]) == "quick";
   std::printf("%-13s %-26s %-22s %10s %10s %7s\n", "part", "problem", "what", "left out/ms",
               "kept/ms", "ratio");
-  const io::Scene helix = framed(scene_of({geometry::helix(20, 13.2, 1.5, 100)}), true);
-  const io::Scene knot = scene_of({geometry::torus_knot(2, 5, 25, 10, 150)});
+  const io::Scene helix = framed(scene_of({curves::helix(20, 13.2, 1.5, 100)}), true);
+  const io::Scene knot = scene_of({curves::torus_knot(2, 5, 25, 10, 150)});
   compare_forward("theta", "trefoil", trefoil(), unequal(trefoil()));
   compare_forward("theta", "(2, 5) knot", knot, unequal(knot));
   compare_forward("theta", "helix in a cube", helix, unequal(helix));

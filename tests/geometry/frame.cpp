@@ -1,8 +1,9 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
-#include <tencer/geometry/curves.hpp>
 #include <tencer/geometry/frame.hpp>
 #include <tencer/geometry/hull.hpp>
+
+#include "shapes.hpp"
 
 using namespace tencer::geometry;
 
@@ -32,7 +33,7 @@ double clearance(const Eigen::Matrix3Xd& corners, const Eigen::Matrix3Xd& points
 }  // namespace
 
 TEST_CASE("a cube about a helix") {
-  const Polyline curve = helix(50, 33, 1.5, 100);
+  const Polyline curve = test::helix(50, 33, 1.5, 100);
   const Eigen::Matrix3Xd corners = enclosing_frame(FrameShape::cube, curve.points, 5, false);
   REQUIRE(corners.cols() == 8);
   const Eigen::Vector3d size = corners.rowwise().maxCoeff() - corners.rowwise().minCoeff();
@@ -43,7 +44,7 @@ TEST_CASE("a cube about a helix") {
 }
 
 TEST_CASE("a tetrahedron touches what it encloses at the margin") {
-  const Polyline curve = helix(50, 33, 1.5, 100);
+  const Polyline curve = test::helix(50, 33, 1.5, 100);
   const Eigen::Matrix3Xd corners = enclosing_frame(FrameShape::tetrahedron, curve.points, 5, false);
   REQUIRE(corners.cols() == 4);
   CHECK(regular(corners));
@@ -52,7 +53,7 @@ TEST_CASE("a tetrahedron touches what it encloses at the margin") {
 }
 
 TEST_CASE("frames about planar targets lie in their plane") {
-  Polyline curve = ellipse(30, 20, 60);
+  Polyline curve = test::ellipse(30, 20, 60);
   curve.points.row(2).setConstant(7);
   for (const FrameShape shape : {FrameShape::cube, FrameShape::tetrahedron}) {
     const Eigen::Matrix3Xd corners = enclosing_frame(shape, curve.points, 5, true);

@@ -1,7 +1,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <tencer/geometry/curves.hpp>
 #include <tencer/geometry/spline.hpp>
+
+#include "shapes.hpp"
 
 using namespace tencer::geometry;
 using Eigen::Vector3d;
@@ -46,7 +47,7 @@ TEST_CASE("a spline goes through its points with one slope and one curvature") {
 }
 
 TEST_CASE("a spline through points of a circle is nearly the circle") {
-  const Polyline fine = sample_spline(circle(3, 24), 240);
+  const Polyline fine = sample_spline(test::ellipse(3, 3, 24), 240);
   REQUIRE(fine.vertices() == 240);
   REQUIRE(fine.closed);
   for (const auto& point : fine.points.colwise()) CHECK(point.norm() == Approx(3).epsilon(1e-4));

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 #include <random>
-#include <tencer/geometry/curves.hpp>
+#include <tencer/curves/analytic.hpp>
 #include <tencer/io/curve.hpp>
 #include <tencer/io/scene.hpp>
 
@@ -9,6 +9,7 @@
 #include "folder.hpp"
 
 using namespace tencer::io;
+namespace curves = tencer::curves;
 namespace geometry = tencer::geometry;
 using Catch::Matchers::Contains;
 using std::numbers::pi;
@@ -211,16 +212,16 @@ forbidden_vertices = [{rod = 1, vertices = [2, 0]}]
   CHECK(scene.rods[1].forbidden_vertices == std::vector{2, 0});
 }
 
-TEST_CASE("families in a scene are those of geometry") {
+TEST_CASE("families in a scene are those of curves") {
   const Curves folder;
   const Scene knot = folder.scene("rod = [{family = 'torus-knot', parameters = {p = 2, q = 3}}]");
-  CHECK(knot.rods[0].target.points == geometry::torus_knot(2, 3, 13.5, 5.4, 201).points);
+  CHECK(knot.rods[0].target.points == curves::torus_knot(2, 3, 13.5, 5.4, 201).points);
   const Scene rings = folder.scene("rod = [{family = 'borromean-ellipses', vertices = 20}]");
   REQUIRE(rings.rods.size() == 3);
-  CHECK(rings.rods[2].target.points == geometry::borromean_ellipses(6.5, 5, 20)[2].points);
+  CHECK(rings.rods[2].target.points == curves::borromean_ellipses(6.5, 5, 20)[2].points);
   const Scene second = folder.scene("rod = [{family = 'twin-trefoils', index = 1}]");
   REQUIRE(second.rods.size() == 1);
-  CHECK(second.rods[0].target.points == geometry::twin_trefoils(27, 10.8, 102)[1].points);
+  CHECK(second.rods[0].target.points == curves::twin_trefoils(27, 10.8, 102)[1].points);
 }
 
 TEST_CASE("glass fibre is 40 GPa in every unit") {

@@ -16,7 +16,7 @@ io::Design ring(int vertices) {
   rod.EA = 1e6;
   rod.EI = {1, 1};
   rod.GJ = 0.8;
-  rod.target = geometry::circle(1.0, vertices).points;
+  rod.target = curves::circle(1.0, vertices).points;
   rod.pose = rod.target;
   rod.rest_lengths = geometry::edge_lengths({rod.target, true});
   const double length = rod.length();

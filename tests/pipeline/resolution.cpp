@@ -13,7 +13,7 @@ namespace {
 io::Scene ring_and_arch() {
   Eigen::Matrix3Xd arch(3, 21);
   for (int i = 0; i <= 20; ++i) arch.col(i) << i - 10, 40 + 5 * std::sin(pi * i / 20), 0;
-  return scene_of({geometry::ellipse(32.5, 25, 30), {arch, false}});
+  return scene_of({curves::ellipse(32.5, 25, 30), {arch, false}});
 }
 
 double length(const io::SceneRod& rod) { return geometry::edge_lengths(rod.target).sum(); }

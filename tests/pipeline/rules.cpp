@@ -9,7 +9,7 @@ namespace {
 
 // An open rod in the box of eight anchors.
 io::Scene helix_scene() {
-  io::Scene scene = scene_of({geometry::helix(50, 33, 1.5, 20)});
+  io::Scene scene = scene_of({curves::helix(50, 33, 1.5, 20)});
   scene.anchors.resize(3, 8);
   for (int i = 0; i < 8; ++i)
     scene.anchors.col(i) << (i & 1 ? 60 : -60), (i & 2 ? 60 : -60), (i & 4 ? 90 : -40);
@@ -18,7 +18,7 @@ io::Scene helix_scene() {
 
 // Two ellipses, one through the other.
 io::Scene linked_rings() {
-  geometry::Polyline ring = geometry::ellipse(30, 20, 16);
+  geometry::Polyline ring = curves::ellipse(30, 20, 16);
   geometry::Polyline other = ring;
   for (auto point : other.points.colwise()) point = Eigen::Vector3d(point.x() + 27, 1, point.y());
   return scene_of({ring, other});

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <tencer/curves/analytic.hpp>
 #include <tencer/equilibrium/structure.hpp>
-#include <tencer/geometry/curves.hpp>
 #include <tencer/sensitivity/target.hpp>
 #include <tencer/sparsify/decimate.hpp>
 #include <tencer/sparsify/dense.hpp>
@@ -45,12 +45,12 @@ inline symmetry::Group group_of(const Model& model) {
 }
 
 inline Model trefoil(int vertices = 60) {
-  return make_model({geometry::trefoil(geometry::TrefoilForm::hypotrochoid, 1.0, vertices)});
+  return make_model({curves::trefoil(curves::TrefoilForm::hypotrochoid, 1.0, vertices)});
 }
 
 // Two linked ellipses in perpendicular planes.
 inline Model linked_ellipses(int vertices = 36) {
-  auto curves = geometry::borromean_ellipses(2.0, 1.0, vertices);
+  auto curves = curves::borromean_ellipses(2.0, 1.0, vertices);
   curves.pop_back();
   curves[1].points.colwise() += Eigen::Vector3d(0.35, 0.2, 0.1);
   return make_model(curves);
@@ -58,7 +58,7 @@ inline Model linked_ellipses(int vertices = 36) {
 
 // An open rod in a box whose corners are anchors.
 inline Model hung_helix(int vertices = 40) {
-  Model model = make_model({geometry::helix(1.0, 0.7, 1.5, vertices)});
+  Model model = make_model({curves::helix(1.0, 0.7, 1.5, vertices)});
   const auto& x = model.positions[0];
   const Eigen::Vector3d low = x.rowwise().minCoeff();
   const Eigen::Vector3d high = x.rowwise().maxCoeff();

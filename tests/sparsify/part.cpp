@@ -19,7 +19,7 @@ namespace {
 Model chain(int rods, int vertices) {
   std::vector<geometry::Polyline> links;
   for (int r = 0; r < rods; ++r) {
-    geometry::Polyline link = geometry::ellipse(1.3, 1.0, vertices);
+    geometry::Polyline link = curves::ellipse(1.3, 1.0, vertices);
     for (int i = 0; i < vertices; ++i)
       link.points(2, i) = 0.2 * std::cos(4 * M_PI * i / vertices + 0.1 * r);
     if (r % 2 == 1) link.points.row(1).swap(link.points.row(2));

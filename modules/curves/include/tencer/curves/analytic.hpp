@@ -5,33 +5,34 @@
 #include <tencer/geometry/polyline.hpp>
 #include <vector>
 
-namespace tencer::geometry {
+namespace tencer::curves {
 
 // (radius cos t, radius sin t, 0).
-Polyline circle(double radius, int vertices);
+geometry::Polyline circle(double radius, int vertices);
 
 // (semi_x cos t, semi_y sin t, 0).
-Polyline ellipse(double semi_x, double semi_y, int vertices);
+geometry::Polyline ellipse(double semi_x, double semi_y, int vertices);
 
 // Open; about the z axis, from (diameter/2, 0, 0) upwards, `pitch` a turn; right-handed.
-Polyline helix(double diameter, double pitch, double turns, int vertices);
+geometry::Polyline helix(double diameter, double pitch, double turns, int vertices);
 
 // ((R + r cos q t) cos p t, (R + r cos q t) sin p t, r sin q t): winds p times about the axis of
 // the torus and q times about its inner circle; R = major > r = minor > 0, p and q coprime (figure
 // 10).
-Polyline torus_knot(int p, int q, double major, double minor, int vertices);
+geometry::Polyline torus_knot(int p, int q, double major, double minor, int vertices);
 
 // Three closed curves of the trefoil's knot type with the given arc length (figure 9).
 // hypotrochoid: (sin t + 2 sin 2t, cos t - 2 cos 2t, -sin 3t) scaled, the published model;
 // torus_2_3 and torus_3_2: torus knots with minor = 0.4 major.
 enum class TrefoilForm { hypotrochoid, torus_2_3, torus_3_2 };
-Polyline trefoil(TrefoilForm form, double length, int vertices);
+geometry::Polyline trefoil(TrefoilForm form, double length, int vertices);
 
 // Two (2,3) torus knots on the same torus, the second turned by pi/3 about its axis (figure 1).
-std::vector<Polyline> twin_trefoils(double major, double minor, int vertices);
+std::vector<geometry::Polyline> twin_trefoils(double major, double minor, int vertices);
 
 // Three congruent ellipses in mutually perpendicular planes, linked as Borromean rings (figure 12).
 // long_axis > short_axis are semi-axes; each rod has `vertices` vertices.
-std::vector<Polyline> borromean_ellipses(double long_axis, double short_axis, int vertices);
+std::vector<geometry::Polyline> borromean_ellipses(double long_axis, double short_axis,
+                                                   int vertices);
 
-}  // namespace tencer::geometry
+}  // namespace tencer::curves

@@ -8,7 +8,7 @@
 #include <tencer/geometry/polyline.hpp>
 #include <vector>
 
-namespace tencer::geometry {
+namespace tencer::curves {
 
 struct FamilyParameter {
   std::string_view name;
@@ -29,16 +29,13 @@ struct Family {
 // trefoil-2-3, trefoil-3-2, twin-trefoils, borromean-ellipses.
 std::vector<Family> families();
 
-// More vertices than this on a curve are a mistake rather than a wish.
-constexpr int most_vertices = 1'000'000;
-
 // What is wrong with these parameter values (one for each of the family's parameters, in its order)
 // and number of vertices, in words for a user; none when curves can be made of them.
 std::optional<std::string> family_problem(const Family& family, std::span<const double> values,
                                           int vertices);
 
 // The curves of a family. The values must have no family_problem.
-std::vector<Polyline> family_curves(const Family& family, std::span<const double> values,
-                                    int vertices);
+std::vector<geometry::Polyline> family_curves(const Family& family, std::span<const double> values,
+                                              int vertices);
 
-}  // namespace tencer::geometry
+}  // namespace tencer::curves

@@ -4,16 +4,19 @@
 #include <numbers>
 #include <optional>
 #include <tencer/core/error.hpp>
+#include <tencer/curves/repulsion.hpp>
 #include <tencer/geometry/measure.hpp>
-#include <tencer/geometry/repulsion.hpp>
 #include <tencer/geometry/sampling.hpp>
-#include <tencer/geometry/tangent_point.hpp>
 #include <utility>
 #include <vector>
 
 #include "quasi_newton.hpp"
+#include "tangent_point.hpp"
 
-namespace tencer::geometry {
+namespace tencer::curves {
+
+using geometry::Polyline;
+
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -23,7 +26,7 @@ using Eigen::Vector3d;
 // by less than this, such edges stay apart, and the knot stays the same.
 double room(const Polyline& curve) {
   const int n = curve.vertices();
-  const Matrix3Xd edges = edge_vectors(curve);
+  const Matrix3Xd edges = geometry::edge_vectors(curve);
   const Eigen::VectorXd half = edges.colwise().norm().transpose() / 2;
   const Matrix3Xd midpoints = curve.points + edges / 2;
   double least = std::numeric_limits<double>::infinity();
@@ -33,7 +36,8 @@ double room(const Polyline& curve) {
       if (at_least >= least) continue;
       const Vector3d a = curve.points.col(i);
       const Vector3d b = curve.points.col(j);
-      least = std::min(least, segment_approach(a, a + edges.col(i), b, b + edges.col(j)).distance);
+      least = std::min(
+          least, geometry::segment_approach(a, a + edges.col(i), b, b + edges.col(j)).distance);
     }
   return least / 2;
 }
@@ -42,7 +46,7 @@ double largest(const Matrix3Xd& moves) { return moves.colwise().norm().maxCoeff(
 
 Polyline of_unit_length(Polyline curve) {
   curve.points.colwise() -= Vector3d(curve.points.rowwise().mean());
-  curve.points /= edge_lengths(curve).sum();
+  curve.points /= geometry::edge_lengths(curve).sum();
   return curve;
 }
 
@@ -72,7 +76,7 @@ struct Stage {
 std::optional<Stage> moved(const Polyline& curve, const Matrix3Xd& step) {
   Polyline next = curve;
   next.points += step;
-  Polyline even = resample(next, curve.vertices());
+  Polyline even = geometry::resample(next, curve.vertices());
   if (largest(even.points - next.points) >= room(next)) return std::nullopt;
   even = of_unit_length(std::move(even));
   TangentPoint value = tangent_point_energy(even);
@@ -84,7 +88,7 @@ std::optional<Stage> moved(const Polyline& curve, const Matrix3Xd& step) {
 Repelled repel(const Polyline& curve, const RepelOptions& options) {
   const int n = curve.vertices();
   core::require(curve.closed && n >= 8, "repel: needs a closed curve of 8 vertices");
-  Stage stage{of_unit_length(resample(curve, n)), {}};
+  Stage stage{of_unit_length(geometry::resample(curve, n)), {}};
   constexpr double touching = 1e-9;  // of the length
   core::require(room(stage.curve) > touching, "repel: the curve crosses itself");
   stage.value = tangent_point_energy(stage.curve);
@@ -129,4 +133,4 @@ Repelled repel(const Polyline& curve, const RepelOptions& options) {
   return result;
 }
 
-}  // namespace tencer::geometry
+}  // namespace tencer::curves

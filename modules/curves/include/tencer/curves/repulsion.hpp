@@ -4,7 +4,7 @@
 
 #include <tencer/geometry/polyline.hpp>
 
-namespace tencer::geometry {
+namespace tencer::curves {
 
 struct RepelOptions {
   int iterations = 2000;
@@ -14,7 +14,7 @@ struct RepelOptions {
 };
 
 struct Repelled {
-  Polyline curve{};  // length 1, evenly spaced, centred at the origin
+  geometry::Polyline curve{};  // length 1, evenly spaced, centred at the origin
   double energy = 0.0;
   int iterations = 0;
   bool converged = false;  // false: the limit of iterations was met
@@ -25,6 +25,6 @@ struct Repelled {
 // discrete Fourier basis of evenly spaced vertices. No step takes a vertex further than half the
 // least distance of two edges that do not meet, so strands never pass through each other. The
 // curve, resampled at n points, must not cross itself. Time: n^2 an iteration.
-Repelled repel(const Polyline& curve, const RepelOptions& options = {});
+Repelled repel(const geometry::Polyline& curve, const RepelOptions& options = {});
 
-}  // namespace tencer::geometry
+}  // namespace tencer::curves
