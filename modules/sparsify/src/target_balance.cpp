@@ -167,12 +167,13 @@ linalg::Nonnegative balance_forces(const equilibrium::System& bare, const equili
       }
     return true;
   };
-  if (small(goal)) return {.converged = true};
+  if (small(goal)) return {.reason = linalg::NonnegativeReason::enough};
   problem.enough = [&](std::span<const int> set, const Eigen::VectorXd& values) {
     return small(left_over(set, values));
   };
   Eigen::VectorXd slope;
   problem.slope({}, {}, slope);
+  if (!slope.allFinite()) return {.reason = linalg::NonnegativeReason::not_finite};
   return linalg::solve_nonnegative(problem, {.tolerance = 1e-9 * slope.cwiseAbs().maxCoeff()});
 }
 
