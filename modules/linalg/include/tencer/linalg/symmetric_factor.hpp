@@ -19,7 +19,9 @@ struct FactorCost {
   double bytes = 0.0;
 };
 
-// Throws std::bad_alloc where memory runs out.
+// Const functions may be called from several threads at once, and solve the same to the last bit as
+// from one; sparse solves with one factor then wait for each other. Throws std::bad_alloc where
+// memory runs out.
 class SymmetricFactor {
  public:
   SymmetricFactor();
@@ -34,7 +36,8 @@ class SymmetricFactor {
   // Signs of D: by Sylvester's law the signs of the matrix's eigenvalues.
   Inertia inertia() const;
 
-  // right_hand_sides: size x k. Requires a successful factorise.
+  // right_hand_sides: size x k. These and negative_curvature throw std::invalid_argument for a
+  // wrong size and unless the last factorise succeeded.
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) const;
   // The same for one right-hand side into `solution`, without allocating once warmed up.
   void solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) const;
