@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <numbers>
+#include <stdexcept>
 #include <string_view>
 #include <tencer/curves/analytic.hpp>
 #include <tencer/equilibrium/solve.hpp>
@@ -67,7 +68,8 @@ Factorisation factorisation(equilibrium::Linearisation& at) {
   Factorisation result{.seconds = 1e300};
   for (int k = 0; k < 9; ++k) {
     const double begin = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
-    at.factor.factorise(at.matrix);
+    if (!at.factor.factorise(at.matrix))
+      throw std::runtime_error("a Hessian that cannot be factorised");
     result.seconds = std::min(result.seconds, cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - begin);
   }
   const auto cost = at.factor.cost();

@@ -211,7 +211,7 @@ void check_first_step(const Backend& backend) {
     iterate = progress.point;
     limit *= 2.0;
   };
-  backend.minimise(problem, known.start, options);
+  CHECK(backend.minimise(problem, known.start, options).usable);
 }
 
 void check_repeatable(const Backend& backend) {

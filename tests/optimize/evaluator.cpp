@@ -98,7 +98,7 @@ TEST_CASE("gradients and Hessians are asked for where the value was computed las
   REQUIRE(evaluator.gradient(known.start, g));
   REQUIRE(evaluator.value(other));
   REQUIRE(evaluator.hessian(known.start, h));
-  evaluator.finish();
+  CHECK(evaluator.finish().hessians == 1);
 }
 
 TEST_CASE("points beyond the bounds are moved between them, others than numbers refused") {

@@ -18,7 +18,7 @@ class DenseLdlt {
   }
 
   // matrix + shift * identity. False when a pivot or an eigenvalue is lost in rounding.
-  bool factorise(const SymmetricMatrix& matrix, double shift);
+  [[nodiscard]] bool factorise(const SymmetricMatrix& matrix, double shift);
   Inertia inertia() const;
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) const;
   Eigen::VectorXd negative_curvature() const;

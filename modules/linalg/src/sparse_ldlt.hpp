@@ -27,7 +27,7 @@ class SparseLdlt {
   double entries() const { return common_.lnz; }
 
   // matrix + shift * identity, with the analysed pattern. False when a pivot is lost in rounding.
-  bool factorise(const SymmetricMatrix& matrix, double shift);
+  [[nodiscard]] bool factorise(const SymmetricMatrix& matrix, double shift);
   Inertia inertia() const;
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) const;
   void solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) const;

@@ -31,8 +31,9 @@ std::vector<Family> families();
 
 // What is wrong with these parameter values (one for each of the family's parameters, in its order)
 // and number of vertices, in words for a user; none when curves can be made of them.
-std::optional<std::string> family_problem(const Family& family, std::span<const double> values,
-                                          int vertices);
+[[nodiscard]] std::optional<std::string> family_problem(const Family& family,
+                                                        std::span<const double> values,
+                                                        int vertices);
 
 // The curves of a family. The values must have no family_problem.
 std::vector<geometry::Polyline> family_curves(const Family& family, std::span<const double> values,

@@ -13,7 +13,7 @@ struct RepelOptions {
   int patience = 20;
 };
 
-struct Repelled {
+struct [[nodiscard]] Repelled {
   geometry::Polyline curve{};  // length 1, evenly spaced, centred at the origin
   double energy = 0.0;
   int iterations = 0;

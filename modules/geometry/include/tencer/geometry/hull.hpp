@@ -5,7 +5,7 @@
 
 namespace tencer::geometry {
 
-struct Outside {
+struct [[nodiscard]] Outside {
   int point = -1;         // the point furthest outside; -1: all are within
   double distance = 0.0;  // beyond a face of the hull, > 0
 };

@@ -6,7 +6,7 @@
 
 namespace tencer::linalg {
 
-struct Eigenpairs {
+struct [[nodiscard]] Eigenpairs {
   Eigen::VectorXd values;   // ascending, k
   Eigen::MatrixXd vectors;  // n x k, orthonormal columns
   bool converged = false;

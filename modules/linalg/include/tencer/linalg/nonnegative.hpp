@@ -46,7 +46,7 @@ enum class NonnegativeReason {
 // the tolerance, or what rounding leaves of it, elsewhere. The columns of the set do not depend on
 // each other, and a solution is found whether or not those of A do. However the search ended, set
 // and values are where it came to; the values are finite unless a step overflowed.
-struct Nonnegative {
+struct [[nodiscard]] Nonnegative {
   std::vector<int> set{};
   Eigen::VectorXd values{};
   int steps = 0;

@@ -31,7 +31,7 @@ class SymmetricFactor {
 
   // Factorises `matrix` (lower triangle) + shift * identity. Returns false when a pivot is lost
   // in rounding or the matrix is not finite; then inertia().zero > 0 and solve must not be called.
-  bool factorise(const SymmetricMatrix& matrix, double shift = 0.0);
+  [[nodiscard]] bool factorise(const SymmetricMatrix& matrix, double shift = 0.0);
 
   // Signs of D: by Sylvester's law the signs of the matrix's eigenvalues.
   Inertia inertia() const;

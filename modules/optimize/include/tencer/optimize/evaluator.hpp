@@ -28,13 +28,13 @@ class Evaluator {
   const Eigen::VectorXd& start() const { return start_; }
 
   // A reason to stop is known; from now on nothing is evaluated.
-  bool finished() const { return reason_.has_value() || exception_ != nullptr; }
+  [[nodiscard]] bool finished() const { return reason_.has_value() || exception_ != nullptr; }
 
   // nullopt and false where p (P) cannot be evaluated or must not be (a limit, a stop, a step
   // beyond Options::first_step).
-  std::optional<double> value(const Point& p);
-  bool gradient(const Point& p, Eigen::VectorXd& g);
-  bool hessian(const Point& p, Eigen::MatrixXd& h);
+  [[nodiscard]] std::optional<double> value(const Point& p);
+  [[nodiscard]] bool gradient(const Point& p, Eigen::VectorXd& g);
+  [[nodiscard]] bool hessian(const Point& p, Eigen::MatrixXd& h);
 
   // The method moved to p, whose gradient has been computed last. Repeating it changes nothing.
   void accept(const Point& p);
