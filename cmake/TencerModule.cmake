@@ -4,7 +4,8 @@
 #                 [PACKAGES TARGET...])
 #
 # is all that modules/NAME/CMakeLists.txt holds. The target tencer::NAME is built from src/*.cpp
-# and has the public headers include/tencer/NAME/*.hpp.
+# and has the public headers include/tencer/NAME/*.hpp, also those made from *.hpp.in, in which CMake
+# puts values for @VARIABLES@.
 #   DEPENDS   modules it uses, all declared before it in modules/CMakeLists.txt;
 #   OPTIONAL  modules it uses when they are part of the build; its sources then see the macro
 #             TENCER_WITH_MODULE (in capitals) defined;
@@ -96,10 +97,20 @@ function(tencer_add_module name)
 
   file(GLOB sources CONFIGURE_DEPENDS ${SOURCE_DIR}/src/*.cpp)
   file(GLOB headers CONFIGURE_DEPENDS ${SOURCE_DIR}/include/tencer/${name}/*.hpp)
+  file(GLOB templates CONFIGURE_DEPENDS ${SOURCE_DIR}/include/tencer/${name}/*.hpp.in)
+  set(roots ${SOURCE_DIR}/include)
+  foreach(template IN LISTS templates)
+    set(root ${PROJECT_BINARY_DIR}/include/${name})
+    cmake_path(GET template STEM LAST_ONLY header)
+    configure_file(${template} ${root}/tencer/${name}/${header} @ONLY)
+    list(APPEND headers ${root}/tencer/${name}/${header})
+    list(APPEND roots ${root})
+  endforeach()
+  list(REMOVE_DUPLICATES roots)
   add_library(tencer_${name} STATIC ${sources})
   add_library(tencer::${name} ALIAS tencer_${name})
   target_sources(tencer_${name} PUBLIC
-    FILE_SET HEADERS BASE_DIRS ${SOURCE_DIR}/include FILES ${headers})
+    FILE_SET HEADERS BASE_DIRS ${roots} FILES ${headers})
   target_compile_features(tencer_${name} PUBLIC cxx_std_20)
   set_target_properties(tencer_${name} PROPERTIES
     EXPORT_NAME ${name}
