@@ -25,3 +25,13 @@ TEST_CASE("repulsion does not start from a curve that crosses itself") {
   for (int i = 0; i < 16; ++i) eight.points.col(i) << std::sin(pi * i / 8), std::sin(pi * i / 4), 0;
   CHECK_THROWS_AS(repel(eight), std::invalid_argument);
 }
+
+TEST_CASE("options of the repulsion that make no sense are named") {
+  const Polyline curve = test::unknot(12);
+  CHECK_THROWS_WITH(repel(curve, {.max_iterations = -1}),
+                    "RepelOptions: max_iterations must not be negative");
+  CHECK_THROWS_WITH(repel(curve, {.min_decrease = std::nan("")}),
+                    "RepelOptions: min_decrease must not be negative");
+  CHECK_THROWS_WITH(repel(curve, {.patience = 0}), "RepelOptions: patience must be positive");
+  CHECK(repel(curve, {.max_iterations = 0}).iterations == 0);
+}

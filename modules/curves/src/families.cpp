@@ -79,8 +79,8 @@ std::optional<std::string> family_problem(const Family& family, std::span<const 
       return name + " must be a whole number from 1 to 1000";
   }
   if (vertices < 3) return "vertices must be at least 3";
-  if (vertices > geometry::most_vertices)
-    return "vertices must be at most " + std::to_string(geometry::most_vertices);
+  if (vertices > geometry::max_vertices)
+    return "vertices must be at most " + std::to_string(geometry::max_vertices);
   if (family.name == "torus-knot" &&
       std::gcd(static_cast<int>(values[0]), static_cast<int>(values[1])) != 1)
     return "p and q must have no common divisor, or the curve is traced several times";

@@ -42,7 +42,7 @@ std::vector<Polyline> family_targets(const TomlTable& rod) {
       values[i] = given->number(keys[i]).value_or(values[i]);
   }
   const int vertices =
-      rod.integer("vertices", fewest_vertices, geometry::most_vertices).value_or(family.vertices);
+      rod.integer("vertices", fewest_vertices, geometry::max_vertices).value_or(family.vertices);
   if (const auto problem = curves::family_problem(family, values, vertices))
     rod.fail(rod.has("parameters") ? "parameters" : "family", *problem);
   return curves::family_curves(family, values, vertices);
@@ -54,7 +54,7 @@ std::vector<Polyline> file_targets(const TomlTable& rod, const std::filesystem::
   if (!std::filesystem::exists(file, ignored))
     rod.fail("curve", "there is no file " + file.string());
   std::vector<Polyline> curves = value_or_fail(read_curves(file));
-  if (const auto vertices = rod.integer("vertices", fewest_vertices, geometry::most_vertices))
+  if (const auto vertices = rod.integer("vertices", fewest_vertices, geometry::max_vertices))
     for (Polyline& curve : curves) curve = geometry::resample(curve, *vertices);
   return curves;
 }
@@ -70,7 +70,7 @@ std::vector<Polyline> spline_targets(const TomlTable& rod) {
   const Eigen::Matrix3Xd points = *rod.points("spline");
   for (const auto& point : points.colwise()) listed.points.emplace_back(point);
   const int vertices =
-      rod.integer("vertices", fewest_vertices, geometry::most_vertices).value_or(standard_vertices);
+      rod.integer("vertices", fewest_vertices, geometry::max_vertices).value_or(standard_vertices);
   return {geometry::sample_spline(finish_curve(listed), vertices)};
 }
 

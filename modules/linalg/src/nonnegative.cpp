@@ -88,8 +88,8 @@ bool enter(PositiveSet& set, int j, double slope, Eigen::VectorXd column) {
     return row;
   };
   Eigen::VectorXd row = next_row();
-  const double least = flat * column[set.count()];
-  if (!(row[set.count()] > least)) {
+  const double min_curvature = flat * column[set.count()];
+  if (!(row[set.count()] > min_curvature)) {
     const Eigen::VectorXd along = -set.transposed().solve(row.head(set.count()));
     const auto [times, first] = reach(set.values, along);
     if (first < 0 || times * row[set.count()] >= 2 * slope) return false;
@@ -99,7 +99,7 @@ bool enter(PositiveSet& set, int j, double slope, Eigen::VectorXd column) {
     erase(column, first);
     row = next_row();
   }
-  row[set.count()] = std::sqrt(std::max(row[set.count()], least));
+  row[set.count()] = std::sqrt(std::max(row[set.count()], min_curvature));
   set.add(j, value, row);
   return true;
 }

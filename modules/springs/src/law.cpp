@@ -29,10 +29,11 @@ Eigen::Matrix3d stiffness_matrix(const Cable& cable, const Eigen::Vector3d& d, d
          (cable.stiffness - density) / (length * length) * d * d.transpose();
 }
 
-Cable rebased(const Cable& cable, double length, double rho) {
-  core::require(length > 0 && rho >= 0 && rho < 1, "rebased: needs length > 0 and 0 <= rho < 1");
+Cable rebased(const Cable& cable, double length, double rest_ratio) {
+  core::require(length > 0 && rest_ratio >= 0 && rest_ratio < 1,
+                "rebased: needs length > 0 and 0 <= rest_ratio < 1");
   Cable result = cable;
-  result.rest_length = rho * length;
+  result.rest_length = rest_ratio * length;
   result.stiffness = tension(cable, length) / (length - result.rest_length);
   return result;
 }

@@ -7,10 +7,13 @@
 namespace tencer::curves {
 
 struct RepelOptions {
-  int iterations = 2000;
+  int max_iterations = 2000;
   // Ends when the energy falls by less than this part in `patience` steps.
-  double least_decrease = 1e-5;
+  double min_decrease = 1e-5;
   int patience = 20;
+
+  // Throws std::invalid_argument naming the option that is wrong.
+  void validate() const;
 };
 
 struct [[nodiscard]] Repelled {

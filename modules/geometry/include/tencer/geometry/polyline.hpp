@@ -6,7 +6,7 @@
 namespace tencer::geometry {
 
 // More vertices than this on a curve are a mistake rather than a wish.
-constexpr int most_vertices = 1'000'000;
+constexpr int max_vertices = 1'000'000;
 
 // points: 3 x n, one column a vertex, in the units of the scene. A closed polyline does not repeat
 // its first vertex: edge n-1 joins vertex n-1 to vertex 0.

@@ -31,7 +31,7 @@ class Evaluator {
   [[nodiscard]] bool finished() const { return reason_.has_value() || exception_ != nullptr; }
 
   // nullopt and false where p (P) cannot be evaluated or must not be (a limit, a stop, a step
-  // beyond Options::first_step).
+  // beyond Options::initial_step).
   [[nodiscard]] std::optional<double> value(const Point& p);
   [[nodiscard]] bool gradient(const Point& p, Eigen::VectorXd& g);
   [[nodiscard]] bool hessian(const Point& p, Eigen::MatrixXd& h);

@@ -37,7 +37,7 @@ struct Options {
   // section 5). The limit doubles with each accepted iterate, so that it tames the start and does
   // not hold back what follows; a trial without a value halves its own distance. Trials beyond the
   // limit are refused without being evaluated, since those that fail are the dearest.
-  double first_step = std::numeric_limits<double>::infinity();
+  double initial_step = std::numeric_limits<double>::infinity();
 
   Curvature curvature = Curvature::limited_memory;
 

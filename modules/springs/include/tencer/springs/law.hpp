@@ -21,8 +21,9 @@ Eigen::Vector3d force(const Cable& cable, const Eigen::Vector3d& d);
 // at |d|, or a prediction of it (see der::hessian).
 Eigen::Matrix3d stiffness_matrix(const Cable& cable, const Eigen::Vector3d& d, double tension);
 
-// A spring with the same tension at length `length` and rest length rho * length, rho in [0, 1):
-// the same equilibrium with another stiffness (paper section 4, "Cables"). Requires length > 0.
-Cable rebased(const Cable& cable, double length, double rho);
+// A spring with the same tension at length `length` and rest length rest_ratio * length, rest_ratio
+// in [0, 1): the same equilibrium with another stiffness (paper section 4, "Cables"). Requires
+// length > 0.
+Cable rebased(const Cable& cable, double length, double rest_ratio);
 
 }  // namespace tencer::springs
