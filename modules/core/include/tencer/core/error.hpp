@@ -17,8 +17,8 @@ struct [[nodiscard]] Error {
   std::string text() const { return where.empty() ? message : where + ": " + message; }
 };
 
-// A value or the Error that prevented it; not to be dropped unseen. Reading the one that is not there is a caller's mistake
-// and throws std::bad_variant_access.
+// A value or the Error that prevented it; not to be dropped unseen. Reading the one that is not
+// there is a caller's mistake and throws std::bad_variant_access.
 template <class T>
 class [[nodiscard]] Expected {
  public:

@@ -26,16 +26,19 @@ struct Family {
 };
 
 // All families, in a fixed order: circle, ellipse, helix, torus-knot, trefoil-hypotrochoid,
-// trefoil-2-3, trefoil-3-2, twin-trefoils, borromean-ellipses.
+// trefoil-2-3, trefoil-3-2, twin-trefoils, borromean-ellipses, and knot-NAME for each of
+// knot_table().
 std::vector<Family> families();
 
-// What is wrong with these parameter values (one for each of the family's parameters, in its order)
-// and number of vertices, in words for a user; none when curves can be made of them.
+// What is wrong with these parameter values (one for each of the family's parameters, in its order,
+// or throws std::invalid_argument) and number of vertices, in words for a user; none when curves
+// can be made of them.
 [[nodiscard]] std::optional<std::string> family_problem(const Family& family,
                                                         std::span<const double> values,
                                                         int vertices);
 
-// The curves of a family. The values must have no family_problem.
+// The curves of a family; each has `vertices` vertices. Throws std::invalid_argument for values
+// with a family_problem and for a family that is none of families().
 std::vector<geometry::Polyline> family_curves(const Family& family, std::span<const double> values,
                                               int vertices);
 

@@ -20,8 +20,8 @@ struct KnotBraid {
 std::vector<KnotBraid> knot_table();
 
 // The closed braid, pushed apart by its tangent-point energy (see repel) and laid out again at
-// equal arc length along a smooth curve of this length. Takes up to a second. Requires vertices
-// >= 3.
+// equal arc length along a smooth curve of this length. Takes up to a second. Throws
+// std::invalid_argument unless length > 0 and vertices >= 3, and for what braid_closure refuses.
 geometry::Polyline knot(const KnotBraid& braid, double length, int vertices);
 
 }  // namespace tencer::curves

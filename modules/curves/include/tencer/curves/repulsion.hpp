@@ -26,8 +26,9 @@ struct [[nodiscard]] Repelled {
 // Descends the tangent-point energy of a closed curve of n >= 8 vertices, along quasi-Newton
 // directions in the fractional Sobolev metric of "Repulsive curves", which is diagonal in the
 // discrete Fourier basis of evenly spaced vertices. No step takes a vertex further than half the
-// least distance of two edges that do not meet, so strands never pass through each other. The
-// curve, resampled at n points, must not cross itself. Time: n^2 an iteration.
+// least distance of two edges that do not meet, so strands never pass through each other. Throws
+// std::invalid_argument for an open curve, fewer vertices and a curve that, resampled at n points,
+// crosses itself. Time: n^2 an iteration. (Yu, Schumacher, Crane, "Repulsive curves", 2021.)
 Repelled repel(const geometry::Polyline& curve, const RepelOptions& options = {});
 
 }  // namespace tencer::curves

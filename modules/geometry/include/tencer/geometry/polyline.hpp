@@ -18,7 +18,7 @@ struct Polyline {
   int edges() const { return closed ? vertices() : vertices() - 1; }
 };
 
-// Edge vectors (3 x edges) and their lengths (edges).
+// Edge vectors (3 x edges), each from its first vertex to the next, and their lengths (edges).
 Eigen::Matrix3Xd edge_vectors(const Polyline& curve);
 Eigen::VectorXd edge_lengths(const Polyline& curve);
 

@@ -1,5 +1,5 @@
 // Quadratic programs over nonnegative variables, least squares among them, by the active-set method
-// of Lawson and Hanson.
+// of Lawson and Hanson (Solving Least Squares Problems, 1974).
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,8 @@ namespace tencer::linalg {
 
 // Minimise z^T A z / 2 - b^T z over z >= 0, A symmetric positive semidefinite, of which only the
 // columns of variables that become positive are ever asked for. For least squares |B z - c|^2,
-// A = B^T B and b = B^T c.
+// A = B^T B and b = B^T c. The functions are called in the thread of the search; what they throw
+// passes through it.
 struct NonnegativeProblem {
   int size = 0;
   // b - A z into `slope` (size), z given by its positive entries: `values` at `set`.

@@ -31,6 +31,7 @@ class SymmetricFactor {
 
   // Factorises `matrix` (lower triangle) + shift * identity. Returns false when a pivot is lost
   // in rounding or the matrix is not finite; then inertia().zero > 0 and solve must not be called.
+  // Throws std::invalid_argument for a matrix that is not square and compressed.
   [[nodiscard]] bool factorise(const SymmetricMatrix& matrix, double shift = 0.0);
 
   // Signs of D: by Sylvester's law the signs of the matrix's eigenvalues.
@@ -46,7 +47,7 @@ class SymmetricFactor {
   // of the most negative pivot; empty when no pivot is negative.
   Eigen::VectorXd negative_curvature() const;
 
-  // Of the pattern factorised last.
+  // Of the pattern factorised last; throws std::invalid_argument when there is none.
   FactorCost cost() const;
 
   // How often a matrix was analysed and factorised, for reports and benchmarks.

@@ -16,7 +16,8 @@ namespace tencer::optimize {
 
 // For the writer of a backend: give the method value, gradient and hessian, tell accept when the
 // method moves, return from the method as soon as finished() holds, and return finish(). None of
-// these throws but the constructor and finish. `problem` and `options` must outlive the evaluator.
+// these throws but the constructor and finish. `problem` and `options` must outlive the evaluator,
+// which belongs to one thread.
 class Evaluator {
  public:
   using Point = Eigen::Ref<const Eigen::VectorXd>;
