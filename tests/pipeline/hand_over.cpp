@@ -7,9 +7,9 @@
 #include <tencer/symmetry/detect.hpp>
 #include <tencer/symmetry/orbit.hpp>
 
+#include "../cube.hpp"
 #include "../equilibrium/models.hpp"
 #include "../equilibrium/second_order.hpp"
-#include "../geometry/cube.hpp"
 #include "scenes.hpp"
 
 using namespace tencer;

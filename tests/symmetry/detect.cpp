@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "../geometry/cube.hpp"
+#include "../cube.hpp"
 #include "figures.hpp"
 
 namespace tencer::symmetry {

@@ -1,9 +1,9 @@
 #include <cmath>
 #include <sstream>
 #include <tencer/equilibrium/rigid_modes.hpp>
-#include <tencer/geometry/hull.hpp>
 #include <tencer/pipeline/convert.hpp>
 #include <tencer/pipeline/prepare.hpp>
+#include <tencer/pipeline/surrounds.hpp>
 #include <tencer/pipeline/symmetry.hpp>
 
 #include "frames.hpp"
@@ -83,7 +83,7 @@ std::optional<core::Error> check_anchors(const io::Scene& scene) {
   if (scene.anchors.cols() == 0 || !scene.pinned.empty() || loaded || !scene.design.external)
     return {};
   for (const auto& rod : scene.rods) {
-    const auto outside = geometry::outside_hull(scene.anchors, rod.target.points, scene.planar);
+    const auto outside = furthest_outside(scene.anchors, rod.target.points, scene.planar);
     if (outside.point < 0) continue;
     std::ostringstream message;
     message << "anchors: their convex hull must enclose the target, but ";
@@ -114,7 +114,7 @@ std::optional<core::Error> check_hand_over(const io::Scene& scene) {
     if (within.cols() > 0) {
       const Eigen::Vector3d centre = within.rowwise().mean();
       within = ((1 - clear) * (within.colwise() - centre)).colwise() + centre;
-      if (geometry::outside_hull(within, point, scene.planar).point < 0) continue;
+      if (furthest_outside(within, point, scene.planar).point < 0) continue;
     }
     std::ostringstream message;
     message << "design.hand_over: the anchors "
