@@ -12,7 +12,7 @@
 #include <functional>
 #include <string>
 #include <tencer/equilibrium/solve.hpp>
-#include <tencer/geometry/curves.hpp>
+#include <tencer/curves/analytic.hpp>
 #include <tencer/geometry/frame.hpp>
 #include <tencer/ground_structure/force_balance.hpp>
 #include <tencer/model/scene.hpp>
@@ -49,7 +49,7 @@ model::Scene scene_of(const std::vector<geometry::Polyline>& curves) {
 }
 
 model::Scene trefoil() {
-  return scene_of({geometry::trefoil(geometry::TrefoilForm::hypotrochoid, 198, 102)});
+  return scene_of({curves::trefoil(curves::TrefoilForm::hypotrochoid, 198, 102)});
 }
 
 void print(const char* part, const char* problem, const char* what, double left_out, double kept,
@@ -163,8 +163,8 @@ model::Scene twisted(model::Scene scene) {
 }
 
 model::Scene planar_ellipses(bool planar) {
-  geometry::Polyline inner = geometry::ellipse(15, 6, 60);
-  model::Scene scene = scene_of({geometry::ellipse(32.5, 22, 100), inner});
+  geometry::Polyline inner = curves::ellipse(15, 6, 60);
+  model::Scene scene = scene_of({curves::ellipse(32.5, 22, 100), inner});
   scene.structure.planar = scene.target.planar = planar;
   return scene;
 }
@@ -191,8 +191,8 @@ int main(int argc, char** argv) {
   const bool quick = argc > 1 && std::string(argv[1]) == "quick";
   std::printf("%-13s %-26s %-22s %10s %10s %7s\n", "part", "problem", "what", "left out/ms",
               "kept/ms", "ratio");
-  const model::Scene helix = framed(scene_of({geometry::helix(20, 13.2, 1.5, 100)}), true);
-  const model::Scene knot = scene_of({geometry::torus_knot(2, 5, 25, 10, 150)});
+  const model::Scene helix = framed(scene_of({curves::helix(20, 13.2, 1.5, 100)}), true);
+  const model::Scene knot = scene_of({curves::torus_knot(2, 5, 25, 10, 150)});
   compare_forward("theta", "trefoil", trefoil(), unequal(trefoil()));
   compare_forward("theta", "(2, 5) knot", knot, unequal(knot));
   compare_forward("theta", "helix in a cube", helix, unequal(helix));

@@ -18,7 +18,7 @@
 #include <numbers>
 #include <string_view>
 #include <tencer/equilibrium/solve.hpp>
-#include <tencer/geometry/curves.hpp>
+#include <tencer/curves/analytic.hpp>
 #include <tencer/pipeline/design.hpp>
 #include <tencer/pipeline/design_state.hpp>
 #include <vector>
@@ -147,14 +147,14 @@ Sample designed(const model::Scene& scene) {
 }
 
 Sample design_of_vertices(int n) {
-  return designed(scene_of({geometry::trefoil(geometry::TrefoilForm::hypotrochoid, 198, n)}));
+  return designed(scene_of({curves::trefoil(curves::TrefoilForm::hypotrochoid, 198, n)}));
 }
 
 // A chain: bent ellipses of 50 vertices, each through the next and at right angles to it.
 Sample design_of_rods(int rods) {
   std::vector<geometry::Polyline> chain;
   for (int r = 0; r < rods; ++r) {
-    geometry::Polyline link = geometry::ellipse(32.5, 25, 50);
+    geometry::Polyline link = curves::ellipse(32.5, 25, 50);
     for (int i = 0; i < link.vertices(); ++i)
       link.points(2, i) = 5 * std::cos(4 * std::numbers::pi * i / link.vertices() + 0.1 * r);
     if (r % 2 == 1) link.points.row(1).swap(link.points.row(2));

@@ -1,12 +1,15 @@
 # Declares the library's modules: one folder, one target, one include root each.
 #
-#   tencer_module(NAME [DEPENDS MODULE...] [OPTIONAL MODULE...] [PACKAGES TARGET...])
+#   tencer_module(NAME [DEPENDS MODULE...] [OPTIONAL MODULE...] [TESTS MODULE...]
+#                 [PACKAGES TARGET...])
 #
 # is all that modules/NAME/CMakeLists.txt holds. The target tencer::NAME is built from src/*.cpp
-# and has the public headers include/tencer/NAME/*.hpp.
+# and has the public headers include/tencer/NAME/*.hpp, also those made from *.hpp.in, in which CMake
+# puts values for @VARIABLES@.
 #   DEPENDS   modules it uses, all declared before it in modules/CMakeLists.txt;
 #   OPTIONAL  modules it uses when they are part of the build; its sources then see the macro
 #             TENCER_WITH_MODULE (in capitals) defined;
+#   TESTS     modules declared before it that its tests use and it does not depend on;
 #   PACKAGES  third-party targets PACKAGE::TARGET that its sources (never its public headers) use,
 #             found with find_package(PACKAGE).
 #
@@ -21,14 +24,14 @@ target_compile_options(tencer_warnings INTERFACE
   $<$<BOOL:${TENCER_WERROR}>:-Werror>)
 
 # Global properties: TENCER_DECLARED and TENCER_MODULES list the modules declared and built, in
-# layer order; TENCER_<NAME>_<DEPENDS|OPTIONAL|PACKAGES|SOURCE_DIR> hold a module's declaration.
+# layer order; TENCER_<NAME>_<DEPENDS|OPTIONAL|TESTS|PACKAGES|SOURCE_DIR> hold a module's declaration.
 function(tencer_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;OPTIONAL;PACKAGES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;OPTIONAL;TESTS;PACKAGES")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "tencer_module(${name}): unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
   get_property(declared GLOBAL PROPERTY TENCER_DECLARED)
-  foreach(dependency IN LISTS arg_DEPENDS)
+  foreach(dependency IN LISTS arg_DEPENDS arg_TESTS)
     if(NOT dependency IN_LIST declared)
       message(FATAL_ERROR
         "module ${name} depends on ${dependency}, which is not declared before it in modules/CMakeLists.txt")
@@ -48,7 +51,7 @@ function(tencer_module name)
     endif()
   endforeach()
   set_property(GLOBAL APPEND PROPERTY TENCER_DECLARED ${name})
-  foreach(part DEPENDS OPTIONAL PACKAGES)
+  foreach(part DEPENDS OPTIONAL TESTS PACKAGES)
     set_property(GLOBAL PROPERTY TENCER_${name}_${part} "${arg_${part}}")
   endforeach()
   set_property(GLOBAL PROPERTY TENCER_${name}_SOURCE_DIR "${CMAKE_CURRENT_SOURCE_DIR}")
@@ -74,6 +77,10 @@ function(tencer_add_modules)
     if(name IN_LIST wanted)
       get_property(depends GLOBAL PROPERTY TENCER_${name}_DEPENDS)
       list(APPEND wanted ${depends})
+      if(TENCER_TESTS)
+        get_property(tests_use GLOBAL PROPERTY TENCER_${name}_TESTS)
+        list(APPEND wanted ${tests_use})
+      endif()
     endif()
   endforeach()
   foreach(name IN LISTS declared)
@@ -90,10 +97,20 @@ function(tencer_add_module name)
 
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${SOURCE_DIR}/src/*.cpp)
   file(GLOB headers CONFIGURE_DEPENDS ${SOURCE_DIR}/include/tencer/${name}/*.hpp)
+  file(GLOB templates CONFIGURE_DEPENDS ${SOURCE_DIR}/include/tencer/${name}/*.hpp.in)
+  set(roots ${SOURCE_DIR}/include)
+  foreach(template IN LISTS templates)
+    set(root ${PROJECT_BINARY_DIR}/include/${name})
+    cmake_path(GET template STEM LAST_ONLY header)
+    configure_file(${template} ${root}/tencer/${name}/${header} @ONLY)
+    list(APPEND headers ${root}/tencer/${name}/${header})
+    list(APPEND roots ${root})
+  endforeach()
+  list(REMOVE_DUPLICATES roots)
   add_library(tencer_${name} STATIC ${sources})
   add_library(tencer::${name} ALIAS tencer_${name})
   target_sources(tencer_${name} PUBLIC
-    FILE_SET HEADERS BASE_DIRS ${SOURCE_DIR}/include FILES ${headers})
+    FILE_SET HEADERS BASE_DIRS ${roots} FILES ${headers})
   # Private headers are named from src on: "folder/header.hpp".
   target_include_directories(tencer_${name} PRIVATE ${SOURCE_DIR}/src)
   target_compile_features(tencer_${name} PUBLIC cxx_std_20)
@@ -157,7 +174,9 @@ function(tencer_test name)
   add_executable(test_${name} ${sources})
   target_link_libraries(test_${name} PRIVATE tencer_test_main tencer_warnings ${ARGN})
   if(TARGET tencer::${name})
-    target_link_libraries(test_${name} PRIVATE tencer::${name})
+    get_property(uses GLOBAL PROPERTY TENCER_${name}_TESTS)
+    list(TRANSFORM uses PREPEND tencer::)
+    target_link_libraries(test_${name} PRIVATE tencer::${name} ${uses})
   endif()
   foreach(source IN LISTS sources)
     file(STRINGS ${source} cases REGEX "TEST_CASE|SCENARIO" LIMIT_COUNT 1)

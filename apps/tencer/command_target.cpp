@@ -3,7 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <span>
-#include <tencer/geometry/families.hpp>
+#include <tencer/curves/families.hpp>
 #include <tencer/io/curve.hpp>
 #include <tencer/random_targets/random_knot.hpp>
 
@@ -19,7 +19,7 @@ constexpr const char* examples = R"(Examples:
   tencer target random-knot --cables 12 --seed 7 > knot.obj)";
 
 struct FamilyRequest {
-  geometry::Family family;
+  curves::Family family;
   std::vector<double> values;  // one for each of the family's parameters
   int vertices = 0;
   std::string output;
@@ -37,10 +37,9 @@ core::Expected<ExitCode> write_curves(const std::string& output,
 }
 
 core::Expected<ExitCode> write_family(const FamilyRequest& request) {
-  if (const auto problem =
-          geometry::family_problem(request.family, request.values, request.vertices))
+  if (const auto problem = curves::family_problem(request.family, request.values, request.vertices))
     return core::Error{"target " + std::string(request.family.name), *problem};
-  const auto curves = geometry::family_curves(request.family, request.values, request.vertices);
+  const auto curves = curves::family_curves(request.family, request.values, request.vertices);
   return write_curves(request.output, curves);
 }
 
@@ -69,7 +68,7 @@ void add_output(CLI::App& command, std::string& output) {
   command.add_option("-o,--output", output, "OBJ file to write [standard output]");
 }
 
-void add_family(CLI::App& target, const geometry::Family& family, Command& chosen) {
+void add_family(CLI::App& target, const curves::Family& family, Command& chosen) {
   const auto request = std::make_shared<FamilyRequest>();
   request->family = family;
   request->vertices = family.vertices;
@@ -113,7 +112,7 @@ void add_target(CLI::App& app, Command& chosen) {
   CLI::App* target = app.add_subcommand("target", "Write a target curve of a built-in family");
   target->footer(examples);
   target->require_subcommand(1);
-  for (const geometry::Family& family : geometry::families()) add_family(*target, family, chosen);
+  for (const curves::Family& family : curves::families()) add_family(*target, family, chosen);
   add_random_knot(*target, chosen);
 }
 

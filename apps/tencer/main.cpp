@@ -2,6 +2,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <tencer/core/version.hpp>
 
 #include "command.hpp"
 #include "console_log.hpp"

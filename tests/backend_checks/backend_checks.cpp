@@ -195,12 +195,12 @@ void check_fixed_parameters(const Backend& backend) {
   check_answer(backend, known, options);
 }
 
-void check_first_step(const Backend& backend) {
+void check_initial_step(const Backend& backend) {
   const Known known = quadratic_with_active_bounds();
-  Options options{.gradient_tolerance = 1e-7, .value_tolerance = 0.0, .first_step = 5e-3};
+  Options options{.gradient_tolerance = 1e-7, .value_tolerance = 0.0, .initial_step = 5e-3};
   check_answer(backend, known, options);
 
-  double limit = options.first_step;
+  double limit = options.initial_step;
   Eigen::VectorXd iterate = known.start;
   Problem problem = known.problem;
   problem.value = [&](const Eigen::VectorXd& p) {
@@ -211,7 +211,7 @@ void check_first_step(const Backend& backend) {
     iterate = progress.point;
     limit *= 2.0;
   };
-  backend.minimise(problem, known.start, options);
+  CHECK(backend.minimise(problem, known.start, options).usable);
 }
 
 void check_repeatable(const Backend& backend) {
@@ -236,7 +236,7 @@ void check_backend(const Backend& backend) {
   SECTION(backend.name + ": exceptions of the problem surface") { check_exceptions(backend); }
   SECTION(backend.name + ": limits") { check_limits(backend); }
   SECTION(backend.name + ": stop token") { check_stop(backend); }
-  SECTION(backend.name + ": the first step") { check_first_step(backend); }
+  SECTION(backend.name + ": the initial step") { check_initial_step(backend); }
   SECTION(backend.name + ": same input, same answer") { check_repeatable(backend); }
   SECTION(backend.name + ": caller's mistakes") { check_callers_mistakes(backend); }
 }

@@ -93,10 +93,10 @@ TEST_CASE("What is said to settle from the target does, with inextensible cables
 
 TEST_CASE("A rod that needs no cables is tied to the one that does") {
   // An ellipse must be held, a circle within it need not be.
-  Eigen::Matrix3Xd ellipse = geometry::circle(1.0, 40).points;
+  Eigen::Matrix3Xd ellipse = curves::circle(1.0, 40).points;
   ellipse.row(0) *= 1.5;
   const Problem problem =
-      problem_of(make_model({{.points = ellipse, .closed = true}, geometry::circle(0.5, 40)}));
+      problem_of(make_model({{.points = ellipse, .closed = true}, curves::circle(0.5, 40)}));
   const EliminationResult result = search(problem, {}, {.goal = {.max_error_percent = 2.0}});
   CHECK(result.stage.valid());
   const equilibrium::System system(result.stage.network.structure);
@@ -120,7 +120,7 @@ TEST_CASE("A search that is stopped gives what it has") {
 
 TEST_CASE("Rods that hold their shape by themselves get no cables") {
   for (const int vertices : {40, 80}) {
-    const Problem problem = problem_of(make_model({geometry::circle(1.0, vertices)}));
+    const Problem problem = problem_of(make_model({curves::circle(1.0, vertices)}));
     const EliminationResult result = search(problem, {}, {.goal = {.max_error_percent = 1.0}});
     CHECK(result.stage.valid());
     CHECK(cable_count(result.stage.network) == 0);
@@ -131,7 +131,7 @@ TEST_CASE("Rods that hold their shape by themselves get no cables") {
 TEST_CASE("Many rods are searched block by block, and end tied, stable and within the tolerance") {
   std::vector<geometry::Polyline> links;
   for (int r = 0; r < 4; ++r) {
-    geometry::Polyline link = geometry::ellipse(1.3, 1.0, 24);
+    geometry::Polyline link = curves::ellipse(1.3, 1.0, 24);
     if (r % 2 == 1) link.points.row(1).swap(link.points.row(2));
     link.points.row(0).array() += 1.8 * r;
     links.push_back(std::move(link));

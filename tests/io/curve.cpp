@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <random>
-#include <tencer/geometry/curves.hpp>
+#include <tencer/curves/analytic.hpp>
 #include <tencer/io/curve.hpp>
 
 #include "edited.hpp"
@@ -236,7 +236,7 @@ TEST_CASE("obj files give every double back") {
   const Folder folder;
   std::mt19937_64 random(16);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  std::vector<Polyline> curves = tencer::geometry::twin_trefoils(27, 10.8, 102);
+  std::vector<Polyline> curves = tencer::curves::twin_trefoils(27, 10.8, 102);
   curves[1].closed = false;
   for (double& x : curves[0].points.reshaped()) x += uniform(random);
   REQUIRE_FALSE(write_obj(folder / "c.obj", curves));

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 #include <random>
-#include <tencer/geometry/curves.hpp>
+#include <tencer/curves/analytic.hpp>
 #include <tencer/io/curve.hpp>
 #include <tencer/io/scene.hpp>
 
@@ -238,13 +238,13 @@ TEST_CASE("families in a scene are those of geometry") {
   const Curves folder;
   const model::Scene knot =
       folder.scene("rod = [{family = 'torus-knot', parameters = {p = 2, q = 3}}]");
-  CHECK(knot.target.points[0] == geometry::torus_knot(2, 3, 13.5, 5.4, 201).points);
+  CHECK(knot.target.points[0] == curves::torus_knot(2, 3, 13.5, 5.4, 201).points);
   const model::Scene rings = folder.scene("rod = [{family = 'borromean-ellipses', vertices = 20}]");
   REQUIRE(rings.target.points.size() == 3);
-  CHECK(rings.target.points[2] == geometry::borromean_ellipses(6.5, 5, 20)[2].points);
+  CHECK(rings.target.points[2] == curves::borromean_ellipses(6.5, 5, 20)[2].points);
   const model::Scene second = folder.scene("rod = [{family = 'twin-trefoils', index = 1}]");
   REQUIRE(second.target.points.size() == 1);
-  CHECK(second.target.points[0] == geometry::twin_trefoils(27, 10.8, 102)[1].points);
+  CHECK(second.target.points[0] == curves::twin_trefoils(27, 10.8, 102)[1].points);
 }
 
 TEST_CASE("bad scenes are refused with line, key and remedy") {

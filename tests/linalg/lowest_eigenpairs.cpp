@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
+#include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <tencer/linalg/lowest_eigenpairs.hpp>
 #include <tencer/linalg/symmetric_factor.hpp>
 
@@ -62,6 +64,26 @@ TEST_CASE("a mode projected out by the operator does not count") {
     const double exact = 2.0 - 2.0 * std::cos((k + 1) * std::numbers::pi / n);
     CHECK(pairs.values[k] == Approx(exact + 1e-9).epsilon(1e-7));
   }
+}
+
+TEST_CASE("an operator that fails is told of, and its exceptions pass") {
+  const int n = 40;
+  int calls = 0;
+  for (const double bad :
+       {0.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    calls = 0;
+    const Eigenpairs pairs = lowest_eigenpairs(
+        [&](const double* in, double* out) {
+          const bool fails = bad == 0.0 || ++calls > 3;
+          for (int i = 0; i < n; ++i) out[i] = fails ? bad : in[i] / (i + 1);
+        },
+        n, 3);
+    CAPTURE(bad);
+    CHECK_FALSE(pairs.converged);
+    CHECK(pairs.values.size() == 0);
+  }
+  const auto throws = [](const double*, double*) { throw std::runtime_error("lost"); };
+  CHECK_THROWS_WITH(lowest_eigenpairs(throws, n, 3), "lost");
 }
 
 TEST_CASE("as many eigenpairs as unknowns, or none, are the caller's mistake") {

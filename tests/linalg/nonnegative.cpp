@@ -24,7 +24,7 @@ double value(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eigen::Ve
 // The first-order conditions, which are sufficient, to `digits` of the largest number in b or A z.
 void check_optimal(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Nonnegative& found,
                    double digits = 1e-10) {
-  CHECK(found.converged);
+  CHECK(found.converged());
   REQUIRE(found.values.size() == static_cast<Eigen::Index>(found.set.size()));
   CHECK((found.values.size() == 0 || found.values.minCoeff() > 0));
   auto sorted = found.set;
@@ -130,7 +130,7 @@ TEST_CASE("of equal columns the cheaper is taken, whichever is the steeper") {
   const Nonnegative found = solve_nonnegative(A, b);
   REQUIRE(found.set == std::vector<int>{1});
   CHECK(found.values[0] == Approx(1.2));
-  CHECK(found.converged);
+  CHECK(found.converged());
 }
 
 TEST_CASE("copies of columns with prices: every exchange is found") {
@@ -162,7 +162,7 @@ TEST_CASE("nearly equal columns and columns of very different lengths") {
     const Eigen::VectorXd c = random.matrix(m, 1);
     const Nonnegative found =
         solve_nonnegative(B.transpose() * B, B.transpose() * c, {.tolerance = 1e-9});
-    CHECK(found.converged);
+    CHECK(found.converged());
     const Eigen::VectorXd rest = c - B * full(found, n);
     // In the units of each column.
     for (int j = 0; j < n; ++j) CHECK(B.col(j).dot(rest) <= 1e-6 * B.col(j).norm());
@@ -174,7 +174,7 @@ TEST_CASE("b that lets no variable in, or ties all of them") {
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(5, 5);
   for (const double level : {-1.0, 0.0}) {
     const Nonnegative none = solve_nonnegative(identity, Eigen::VectorXd::Constant(5, level));
-    CHECK(none.converged);
+    CHECK(none.converged());
     CHECK(none.set.empty());
     CHECK(none.steps == 0);
   }
@@ -194,19 +194,20 @@ TEST_CASE("b that lets no variable in, or ties all of them") {
 
 TEST_CASE("no variables") {
   const Nonnegative found = solve_nonnegative(Eigen::MatrixXd(0, 0), Eigen::VectorXd(0));
-  CHECK(found.converged);
+  CHECK(found.converged());
   CHECK(found.set.empty());
   CHECK(found.values.size() == 0);
 }
 
 TEST_CASE("a value without a lowest is told") {
-  CHECK_FALSE(solve_nonnegative(Eigen::MatrixXd::Zero(2, 2), Eigen::Vector2d(-1, 1)).converged);
+  const Nonnegative flat = solve_nonnegative(Eigen::MatrixXd::Zero(2, 2), Eigen::Vector2d(-1, 1));
+  CHECK(flat.reason == NonnegativeReason::unbounded);
   // Falls along (1, 1).
   const Eigen::Matrix2d A{{1, -1}, {-1, 1}};
   const Nonnegative found = solve_nonnegative(A, Eigen::Vector2d(1, 1));
-  CHECK_FALSE(found.converged);
+  CHECK(found.reason == NonnegativeReason::unbounded);
   CHECK(found.values.allFinite());
-  CHECK(solve_nonnegative(A, Eigen::Vector2d(1, -1)).converged);
+  CHECK(solve_nonnegative(A, Eigen::Vector2d(1, -1)).converged());
 }
 
 TEST_CASE("only the columns of variables that may enter are asked for") {
@@ -248,34 +249,71 @@ TEST_CASE("only the columns of variables that may enter are asked for") {
       return ++asked == 4;
     };
     const Nonnegative early = solve_nonnegative(problem);
-    CHECK(early.converged);
+    CHECK(early.reason == NonnegativeReason::enough);
+    CHECK(early.converged());
     CHECK(asked == 4);
     CHECK(early.steps == 4);
     CHECK(early.set.size() <= 4);
   }
   SECTION("the limit of steps ends it without convergence") {
     const Nonnegative early = solve_nonnegative(problem, {.max_steps = 3});
-    CHECK_FALSE(early.converged);
+    CHECK(early.reason == NonnegativeReason::step_limit);
+    CHECK_FALSE(early.converged());
     CHECK(early.steps == 3);
     CHECK_FALSE(early.set.empty());
   }
 }
 
-TEST_CASE("a caller's mistakes with nonnegative programs") {
+TEST_CASE("numbers that are not finite end the search and are told") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   const Eigen::Matrix2d A = Eigen::Matrix2d::Identity();
   const Eigen::Vector2d b(1, 1);
+  for (const Nonnegative& found :
+       {solve_nonnegative(A, Eigen::Vector2d(1, nan)), solve_nonnegative(infinity * A, b)}) {
+    CHECK(found.reason == NonnegativeReason::not_finite);
+    CHECK_FALSE(found.converged());
+    CHECK(found.set.empty());
+  }
+
+  // The first step is good, and what it found stays.
+  int slopes = 0, columns = 0;
+  bool slope_fails = false;
+  NonnegativeProblem problem{.size = 2};
+  problem.slope = [&](std::span<const int> set, const Eigen::VectorXd& values,
+                      Eigen::VectorXd& slope) {
+    slope = Eigen::Vector2d(2, 1);
+    for (std::size_t i = 0; i < set.size(); ++i)
+      slope[set[i]] -= values[static_cast<Eigen::Index>(i)];
+    if (slope_fails && slopes++ == 1) slope[1] = nan;
+  };
+  problem.column = [&](std::span<const int> set, int) {
+    Eigen::VectorXd column = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(set.size()) + 1);
+    column[column.size() - 1] = !slope_fails && columns++ == 1 ? infinity : 1;
+    return column;
+  };
+  for (const bool in_slope : {false, true}) {
+    slope_fails = in_slope;
+    const Nonnegative found = solve_nonnegative(problem);
+    CAPTURE(in_slope);
+    CHECK(found.reason == NonnegativeReason::not_finite);
+    REQUIRE(found.set == std::vector<int>{0});
+    CHECK(found.values[0] == 2);
+  }
+}
+
+TEST_CASE("a caller's mistakes with nonnegative programs") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Matrix2d A = Eigen::Matrix2d::Identity();
+  const Eigen::Vector2d b(1, 1);
   CHECK_THROWS_AS(solve_nonnegative(A, Eigen::Vector3d(1, 1, 1)), std::invalid_argument);
   CHECK_THROWS_AS(solve_nonnegative(Eigen::MatrixXd(2, 3), b), std::invalid_argument);
-  CHECK_THROWS_AS(solve_nonnegative(A, Eigen::Vector2d(1, nan)), std::invalid_argument);
-  CHECK_THROWS_AS(solve_nonnegative(infinity * A, b), std::invalid_argument);
   CHECK_THROWS_AS(solve_nonnegative(-A, b), std::invalid_argument);
   CHECK_THROWS_AS(solve_nonnegative(A, b, {.tolerance = nan}), std::invalid_argument);
   CHECK_THROWS_AS(solve_nonnegative(A, b, {.max_steps = 0}), std::invalid_argument);
   NonnegativeProblem problem{.size = 2};
   CHECK_THROWS_AS(solve_nonnegative(problem), std::invalid_argument);
-  problem.slope = [&](auto, const auto&, Eigen::VectorXd& slope) { slope.setConstant(nan); };
+  problem.slope = [&](auto, const auto&, Eigen::VectorXd& slope) { slope.setOnes(3); };
   problem.column = [](auto, int) { return Eigen::VectorXd(Eigen::VectorXd::Ones(1)); };
   CHECK_THROWS_AS(solve_nonnegative(problem), std::invalid_argument);
   problem.slope = [&](auto, const auto&, Eigen::VectorXd& slope) { slope.setOnes(); };

@@ -62,6 +62,11 @@ TEST_CASE("the pattern holds every diagonal entry and the lower triangle only") 
   }
 }
 
+TEST_CASE("an index beyond the size is the caller's mistake") {
+  const std::vector<std::vector<int>> elements{{0, 1}, {1, 3}};
+  CHECK_THROWS_AS(SymmetricAssembler(3, elements), std::invalid_argument);
+}
+
 TEST_CASE("adding twice keeps the pattern and doubles the values") {
   std::mt19937 random(3);
   const std::vector<std::vector<int>> elements{{0, 2}, {1, 2}};

@@ -1,8 +1,12 @@
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <latch>
 #include <limits>
 #include <tencer/linalg/symmetric_factor.hpp>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include "eigenvalues.hpp"
 #include "random_symmetric.hpp"
@@ -180,6 +184,45 @@ TEST_CASE("the cost of a factorisation is that of its pattern") {
   SymmetricFactor full;
   REQUIRE(full.factorise(random_symmetric(60, 1.0, random)));
   CHECK(full.cost().bytes == 60 * 60 * sizeof(double));
+}
+
+TEST_CASE("several threads solve with one factor as one thread does") {
+  constexpr int threads = 4, rounds = 5000, columns = 40;
+  std::mt19937 random(3);
+  for (const double fill : {0.02, 1.0}) {
+    const SymmetricMatrix matrix = random_symmetric(90, fill, random);
+    SymmetricFactor factor;
+    REQUIRE(factor.factorise(matrix));
+    const Eigen::MatrixXd b = Eigen::MatrixXd::Random(90, columns);
+    Eigen::MatrixXd single(90, columns);
+    for (int k = 0; k < columns; ++k) {
+      Eigen::VectorXd x;
+      factor.solve(b.col(k), x);
+      single.col(k) = x;
+    }
+    const Eigen::MatrixXd several = factor.solve(b);
+    const Eigen::VectorXd direction = factor.negative_curvature();
+    REQUIRE(direction.size() == 90);
+
+    std::array<int, threads> wrong{};
+    std::latch ready(threads);
+    std::vector<std::thread> workers;
+    for (int t = 0; t < threads; ++t)
+      workers.emplace_back([&, t] {
+        Eigen::VectorXd x;
+        ready.arrive_and_wait();
+        for (int round = 0; round < rounds; ++round) {
+          const int k = (7 * t + round) % columns;
+          factor.solve(b.col(k), x);
+          wrong[t] += x != single.col(k);
+          if (round % 100 == t) wrong[t] += factor.solve(b) != several;
+          if (round % 100 == t + 5) wrong[t] += factor.negative_curvature() != direction;
+        }
+      });
+    for (auto& worker : workers) worker.join();
+    CAPTURE(fill);
+    for (const int count : wrong) CHECK(count == 0);
+  }
 }
 
 TEST_CASE("a moved factor keeps its factorisation") {

@@ -1,7 +1,7 @@
 // Scenes with more and fewer vertices.
 #include <catch2/catch.hpp>
 #include <numbers>
-#include <tencer/geometry/curves.hpp>
+#include <tencer/curves/analytic.hpp>
 #include <tencer/model/resolution.hpp>
 #include <tencer/model/rest_shape.hpp>
 
@@ -13,7 +13,7 @@ namespace {
 model::Scene ring_and_arch() {
   Eigen::Matrix3Xd arch(3, 21);
   for (int i = 0; i <= 20; ++i) arch.col(i) << i - 10, 40 + 5 * std::sin(pi * i / 20), 0;
-  return model::scene_of({geometry::ellipse(32.5, 25, 30), {arch, false}});
+  return model::scene_of({curves::ellipse(32.5, 25, 30), {arch, false}});
 }
 
 }  // namespace

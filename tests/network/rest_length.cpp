@@ -19,7 +19,7 @@ double eigenvalue(const Network& network) {
 // 8).
 Network drawn_ring(double force_density) {
   const int vertices = 24;
-  const Model model = make_model({geometry::circle(1.0, vertices)});
+  const Model model = make_model({curves::circle(1.0, vertices)});
   Network network{.structure = model.structure};
   network.structure.cables.push_back(
       {.a = springs::OnRod{0, 0.0}, .b = springs::OnRod{0, 0.5}, .stiffness = force_density});

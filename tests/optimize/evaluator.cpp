@@ -98,7 +98,7 @@ TEST_CASE("gradients and Hessians are asked for where the value was computed las
   REQUIRE(evaluator.gradient(known.start, g));
   REQUIRE(evaluator.value(other));
   REQUIRE(evaluator.hessian(known.start, h));
-  evaluator.finish();
+  CHECK(evaluator.finish().hessians == 1);
 }
 
 TEST_CASE("points beyond the bounds are moved between them, others than numbers refused") {
@@ -146,8 +146,8 @@ TEST_CASE("wrong problems and options name what is wrong") {
   CHECK_THROWS_WITH(Problem{}.validate(), "Problem: needs at least one parameter");
   CHECK_THROWS_WITH((Options{.gradient_tolerance = 0.0}.validate()),
                     "Options: gradient_tolerance must be positive");
-  CHECK_THROWS_WITH((Options{.first_step = -1.0}.validate()),
-                    "Options: first_step must be positive");
+  CHECK_THROWS_WITH((Options{.initial_step = -1.0}.validate()),
+                    "Options: initial_step must be positive");
 }
 
 TEST_CASE("the projected gradient vanishes exactly where the bounds hold the gradient back") {

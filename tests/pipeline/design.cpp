@@ -100,7 +100,7 @@ TEST_CASE("every optimizer of the build finds a design") {
 
 TEST_CASE("rods that rest in the target need no cables") {
   const auto curve = GENERATE(
-      geometry::circle(25, 24),
+      curves::circle(25, 24),
       geometry::Polyline{(Eigen::Matrix3Xd(3, 4) << 0, 1, 2, 3, 0, 0, 0, 0, 0, 0, 0, 0).finished(),
                          false});
   CAPTURE(curve.closed);

@@ -40,7 +40,7 @@ TEST_CASE("a round rod in space has positions as unknowns and nothing else") {
 }
 
 TEST_CASE("rods with two axes, bends at rest or a closing angle say what they need") {
-  std::vector<geometry::Polyline> rings(4, geometry::ellipse(32.5, 25, 30));
+  std::vector<geometry::Polyline> rings(4, curves::ellipse(32.5, 25, 30));
   for (int r : {0, 1, 2, 3}) rings[r].points.row(2).array() += 10 * r;
   model::Scene scene = scene_of(rings);
   scene.structure.rods[0].section.EI2 *= 2;

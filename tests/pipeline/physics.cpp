@@ -4,7 +4,7 @@
 #include <sstream>
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/equilibrium/stability.hpp>
-#include <tencer/geometry/families.hpp>
+#include <tencer/curves/families.hpp>
 #include <tencer/model/frames.hpp>
 #include <tencer/pipeline/prepare.hpp>
 #include <tencer/pipeline/simulate.hpp>

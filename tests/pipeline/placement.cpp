@@ -16,7 +16,7 @@ namespace {
 
 // A bent ring without symmetry, for with one several networks are as good.
 geometry::Polyline ring(int vertices, double phase) {
-  geometry::Polyline ring = geometry::ellipse(32.5, 25, vertices);
+  geometry::Polyline ring = curves::ellipse(32.5, 25, vertices);
   for (int i = 0; i < vertices; ++i) {
     const double phi = 2 * std::numbers::pi * i / vertices + phase;
     ring.points(0, i) += 3 * std::sin(2 * phi);

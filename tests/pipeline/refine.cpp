@@ -11,7 +11,7 @@ namespace {
 // A ring of circumference 2 pi whose diameter is shortened by a cable, at rest.
 model::Design ring(int vertices) {
   model::Design design;
-  const geometry::Polyline circle = geometry::circle(1.0, vertices);
+  const geometry::Polyline circle = curves::circle(1.0, vertices);
   design.structure.rods = {{.closed = true,
                             .section = {.EA = 1e6, .EI1 = 1, .EI2 = 1, .GJ = 0.8},
                             .rest_lengths = geometry::edge_lengths(circle)}};

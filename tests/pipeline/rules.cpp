@@ -9,7 +9,7 @@ namespace {
 
 // An open rod in the box of eight anchors.
 model::Scene helix_scene() {
-  model::Scene scene = scene_of({geometry::helix(50, 33, 1.5, 20)});
+  model::Scene scene = scene_of({curves::helix(50, 33, 1.5, 20)});
   scene.structure.anchors.resize(3, 8);
   for (int i = 0; i < 8; ++i)
     scene.structure.anchors.col(i) << (i & 1 ? 60 : -60), (i & 2 ? 60 : -60), (i & 4 ? 90 : -40);
@@ -18,7 +18,7 @@ model::Scene helix_scene() {
 
 // Two ellipses, one through the other.
 model::Scene linked_rings() {
-  geometry::Polyline ring = geometry::ellipse(30, 20, 16);
+  geometry::Polyline ring = curves::ellipse(30, 20, 16);
   geometry::Polyline other = ring;
   for (auto point : other.points.colwise()) point = Eigen::Vector3d(point.x() + 27, 1, point.y());
   return scene_of({ring, other});

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 #include <tencer/geometry/arc_length.hpp>
-#include <tencer/geometry/curves.hpp>
+#include <tencer/curves/analytic.hpp>
 #include <tencer/io/design.hpp>
 #include <tencer/io/scene.hpp>
 #include <tencer/pipeline/design.hpp>
@@ -31,12 +31,12 @@ inline model::Scene scene_at(const std::filesystem::path& path) {
 }
 
 inline model::Scene trefoil_scene(int vertices = 40) {
-  return scene_of({geometry::trefoil(geometry::TrefoilForm::hypotrochoid, 198, vertices)});
+  return scene_of({curves::trefoil(curves::TrefoilForm::hypotrochoid, 198, vertices)});
 }
 
 // Held in shape by one or two cables: the smallest design there is.
 inline model::Scene ellipse_scene(int vertices = 30) {
-  return scene_of({geometry::ellipse(32.5, 25, vertices)});
+  return scene_of({curves::ellipse(32.5, 25, vertices)});
 }
 
 // Gives a rod another target, with as many vertices.

@@ -75,7 +75,7 @@ TEST_CASE("a design keeps the rotations that its scene gives, and only then has 
 }
 
 TEST_CASE("two rods with many symmetries are held by few orbits") {
-  const auto knots = geometry::twin_trefoils(27, 10.8, 72);
+  const auto knots = curves::twin_trefoils(27, 10.8, 72);
   model::Scene scene = scene_of({knots.begin(), knots.end()});
   scene.rules.pairs = {{0, 1}};
   scene.design.max_error = 5.4;
@@ -179,7 +179,7 @@ TEST_CASE("supports, loads, weights and rules have to be symmetric too") {
 TEST_CASE("pairs of rods that cables may join have to be symmetric") {
   std::vector<geometry::Polyline> circles;
   for (const double height : {-10.0, 0.0, 10.0}) {
-    geometry::Polyline one = geometry::ellipse(30, 20, 24);
+    geometry::Polyline one = curves::ellipse(30, 20, 24);
     one.points.row(2).array() += height;
     circles.push_back(one);
   }

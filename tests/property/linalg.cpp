@@ -56,7 +56,7 @@ TEST_CASE("a nonnegative program meets its optimality conditions") {
     const Eigen::MatrixXd a = b.transpose() * b;
     const Eigen::VectorXd right = b.transpose() * c - price;
     const auto found = linalg::solve_nonnegative(a, right);
-    RC_ASSERT(found.converged);
+    RC_ASSERT(found.converged());
     Eigen::VectorXd z = Eigen::VectorXd::Zero(columns);
     for (std::size_t i = 0; i < found.set.size(); ++i)
       z[found.set[i]] = found.values[static_cast<Eigen::Index>(i)];

@@ -72,19 +72,19 @@ TEST_CASE("where vertices fall onto vertices the fit is exact") {
 }
 
 TEST_CASE("torus knots have the axes of their windings") {
-  const Symmetry five_three = detect(figure_of({geometry::torus_knot(5, 3, 3.0, 1.0, 200)}));
+  const Symmetry five_three = detect(figure_of({curves::torus_knot(5, 3, 3.0, 1.0, 200)}));
   CHECK(five_three.group.order() == 6);
   CHECK(axes(five_three, 3) == 1);
   CHECK(axes(five_three, 2) == 3);
   CHECK(planes(five_three) == 0);
-  const Symmetry three_five = detect(figure_of({geometry::torus_knot(3, 5, 3.0, 1.0, 301)}));
+  const Symmetry three_five = detect(figure_of({curves::torus_knot(3, 5, 3.0, 1.0, 301)}));
   CHECK(three_five.group.order() == 10);
   CHECK(axes(three_five, 5) == 1);
   CHECK(axes(three_five, 2) == 5);
 }
 
 TEST_CASE("two interleaved trefoils share a 6-fold axis") {
-  const Figure figure = figure_of(geometry::twin_trefoils(3.0, 1.2, 101));
+  const Figure figure = figure_of(curves::twin_trefoils(3.0, 1.2, 101));
   const Symmetry found = detect(figure);
   CHECK(found.group.order() == 12);
   CHECK(axes(found, 6) == 1);
@@ -94,7 +94,7 @@ TEST_CASE("two interleaved trefoils share a 6-fold axis") {
 }
 
 TEST_CASE("three Borromean ellipses have the pyritohedral group") {
-  const Figure figure = moved(figure_of(geometry::borromean_ellipses(5.0, 3.0, 98)));
+  const Figure figure = moved(figure_of(curves::borromean_ellipses(5.0, 3.0, 98)));
   const Symmetry found = detect(figure);
   CHECK(found.group.order() == 24);
   CHECK(axes(found, 3) == 4);
@@ -104,7 +104,7 @@ TEST_CASE("three Borromean ellipses have the pyritohedral group") {
 }
 
 TEST_CASE("only alike rods go to each other") {
-  Figure figure = figure_of(geometry::borromean_ellipses(5.0, 3.0, 100));
+  Figure figure = figure_of(curves::borromean_ellipses(5.0, 3.0, 100));
   figure.classes = {0, 0, 7};
   const Symmetry found = detect(figure);
   CHECK(found.group.order() == 8);
@@ -114,13 +114,13 @@ TEST_CASE("only alike rods go to each other") {
 }
 
 TEST_CASE("a regular polygon has its own group, and one of many vertices that of a circle") {
-  const Symmetry octagon = detect(figure_of({geometry::circle(4.0, 8)}));
+  const Symmetry octagon = detect(figure_of({curves::circle(4.0, 8)}));
   CHECK(octagon.group.order() == 32);
   CHECK(axes(octagon, 8) == 1);
   CHECK(axes(octagon, 2) == 8);
   CHECK(planes(octagon) == 9);
   CHECK(octagon.misfit < 1e-7);
-  const Figure figure = moved(figure_of({geometry::circle(4.0, 100)}));
+  const Figure figure = moved(figure_of({curves::circle(4.0, 100)}));
   const Symmetry circle = detect(figure);
   CHECK(circle.group.order() == 48);
   CHECK(axes(circle, 12) == 1);
@@ -132,7 +132,7 @@ TEST_CASE("circles about different axes through one point") {
   // Rings of a gimbal: each is round, together they have three 2-fold axes and three mirrors.
   std::vector<geometry::Polyline> rings;
   for (int i = 0; i < 3; ++i) {
-    geometry::Polyline ring = geometry::circle(5.0 - i, 150);
+    geometry::Polyline ring = curves::circle(5.0 - i, 150);
     const geometry::Polyline original = ring;
     for (int axis = 0; axis < 3; ++axis)
       ring.points.row((axis + i) % 3) = original.points.row(axis);
@@ -147,7 +147,7 @@ TEST_CASE("circles about different axes through one point") {
 }
 
 TEST_CASE("a round figure takes the symmetry of its anchors") {
-  Figure ring = figure_of({geometry::circle(4.0, 120)});
+  Figure ring = figure_of({curves::circle(4.0, 120)});
   ring.anchors = cube(5.0);
   const Symmetry found = detect(moved(ring));
   CHECK(found.group.order() == 16);
@@ -170,7 +170,7 @@ TEST_CASE("a random closed curve has no symmetry") {
 }
 
 TEST_CASE("an open helix has one 2-fold axis, with a cube of anchors only if these fit") {
-  Figure helix = figure_of({geometry::helix(8.0, 2.0, 3.25, 100)});
+  Figure helix = figure_of({curves::helix(8.0, 2.0, 3.25, 100)});
   const Symmetry found = detect(moved(helix));
   CHECK(found.group.order() == 2);
   CHECK(axes(found, 2) == 1);
@@ -236,7 +236,7 @@ TEST_CASE("detected groups obey their multiplication table to rounding") {
 TEST_CASE("arc length at rest is what counts") {
   // The curve is a circle, but the rod is unevenly long at rest: only one mirror and the plane keep
   // rest lengths.
-  Figure figure = figure_of({geometry::circle(4.0, 120)});
+  Figure figure = figure_of({curves::circle(4.0, 120)});
   Eigen::VectorXd rest = geometry::edge_lengths(figure.curves[0]);
   for (int i = 0; i < 120; ++i) rest[i] *= 1.0 + 0.2 * std::cos(2.0 * pi * (i + 0.5) / 120);
   figure.rods[0] = geometry::ArcLength(rest, true);
@@ -264,7 +264,7 @@ TEST_CASE("given generators are checked and completed") {
 }
 
 TEST_CASE("generators given for a figure away from the origin") {
-  Figure figure = figure_of({geometry::torus_knot(5, 3, 3.0, 1.0, 201)});
+  Figure figure = figure_of({curves::torus_knot(5, 3, 3.0, 1.0, 201)});
   figure.curves[0].points.row(0).array() += 1e4;
   const auto found =
       verify(figure, std::vector<model::SymmetryGenerator>{Rotation{
@@ -297,7 +297,7 @@ TEST_CASE("a generator that misses says by how much") {
 
 TEST_CASE("generators that belong to no finite group are refused") {
   // Each fits a large polygon's circle, the two axes cross at an angle of no finite group.
-  const Figure figure = figure_of({geometry::circle(4.0, 600)});
+  const Figure figure = figure_of({curves::circle(4.0, 600)});
   const double angle = 1.0;
   const auto found =
       verify(figure, std::vector<model::SymmetryGenerator>{

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <tencer/geometry/curves.hpp>
+#include <tencer/curves/analytic.hpp>
 #include <tencer/geometry/sampling.hpp>
 #include <tencer/springs/cable.hpp>
 #include <tencer/symmetry/detect.hpp>
@@ -23,7 +23,7 @@ inline Figure figure_of(std::vector<geometry::Polyline> curves) {
 }
 
 inline Figure trefoil(int vertices) {
-  return figure_of({geometry::trefoil(geometry::TrefoilForm::hypotrochoid, 30.0, vertices)});
+  return figure_of({curves::trefoil(curves::TrefoilForm::hypotrochoid, 30.0, vertices)});
 }
 
 // A smooth closed curve without any symmetry.

@@ -70,7 +70,7 @@ void check_invariant(const std::vector<Cable>& cables, const Group& group) {
 
 // A ring of 4 (arc length from (radius, 0, 0)) with the mirror across y = 0: s -> -s.
 struct MirroredRing {
-  Figure figure = figure_of({geometry::circle(4.0, 100)});
+  Figure figure = figure_of({curves::circle(4.0, 100)});
   double length = figure.rods[0].length();
   Group group =
       verify(figure, std::vector<model::SymmetryGenerator>{Reflection{.normal = {0, 1, 0}}})->group;
@@ -159,9 +159,9 @@ TEST_CASE("a cable that is its own image keeps one free position or none") {
 
 TEST_CASE("free variables reproduce orbits and keep them symmetric as they slide") {
   std::mt19937 random(2);
-  const std::vector<Figure> figures{trefoil(100), figure_of(geometry::twin_trefoils(3, 1.2, 101)),
-                                    figure_of(geometry::borromean_ellipses(5, 3, 98)),
-                                    figure_of({geometry::helix(8.0, 2.0, 3.25, 100)})};
+  const std::vector<Figure> figures{trefoil(100), figure_of(curves::twin_trefoils(3, 1.2, 101)),
+                                    figure_of(curves::borromean_ellipses(5, 3, 98)),
+                                    figure_of({curves::helix(8.0, 2.0, 3.25, 100)})};
   for (const Figure& figure : figures) {
     const Group group = detect(figure).group;
     REQUIRE(group.order() > 1);
@@ -248,7 +248,7 @@ TEST_CASE("rest lengths may be what symmetric cables share") {
 }
 
 TEST_CASE("completing a network adds what is missing and doubles nothing") {
-  const Figure figure = figure_of(geometry::borromean_ellipses(5.0, 3.0, 100));
+  const Figure figure = figure_of(curves::borromean_ellipses(5.0, 3.0, 100));
   const Group group = detect(figure).group;
   REQUIRE(group.order() == 24);
   std::mt19937 random(6);
@@ -269,7 +269,7 @@ TEST_CASE("completing a network adds what is missing and doubles nothing") {
 }
 
 TEST_CASE("cables to anchors") {
-  Figure figure = figure_of({geometry::helix(8.0, 2.0, 3.0, 100)});
+  Figure figure = figure_of({curves::helix(8.0, 2.0, 3.0, 100)});
   // The helix starts at (4, 0, 0) and ends above: its 2-fold axis lies along x at half height.
   figure.anchors.resize(3, 3);
   figure.anchors << 9, 2, 2, 0, 7, -7, 3, 5, 1;

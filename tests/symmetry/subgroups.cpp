@@ -11,7 +11,7 @@ using namespace tencer::symmetry;
 
 TEST_CASE("Subgroups are groups, the largest first") {
   // Three Borromean ellipses: the pyritohedral group, of order 24.
-  const Group group = detect(figure_of(tencer::geometry::borromean_ellipses(5.0, 3.0, 96))).group;
+  const Group group = detect(figure_of(tencer::curves::borromean_ellipses(5.0, 3.0, 96))).group;
   REQUIRE(group.order() == 24);
   const auto found = subgroups(group, 24);
   std::set<int> orders;

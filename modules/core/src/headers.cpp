@@ -2,3 +2,4 @@
 #include <tencer/core/error.hpp>
 #include <tencer/core/log.hpp>
 #include <tencer/core/scale.hpp>
+#include <tencer/core/version.hpp>

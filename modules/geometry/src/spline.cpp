@@ -1,35 +1,40 @@
-#include <Eigen/LU>
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <tencer/core/error.hpp>
 #include <tencer/geometry/spline.hpp>
-#include <utility>
+#include <vector>
 
 namespace tencer::geometry {
 namespace {
 
 using Eigen::Matrix3Xd;
-using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
-// Second derivatives at the knots: slopes must agree on both sides of each.
+// Second derivatives at the knots: slopes must agree on both sides of each. At the ends of an open
+// curve they are zero; all others are the unknowns of a symmetric positive definite system.
 Matrix3Xd second_derivatives(const Polyline& through, const Eigen::VectorXd& chords) {
   const int n = through.vertices();
-  MatrixXd system = MatrixXd::Zero(n, n);
-  Matrix3Xd right = Matrix3Xd::Zero(3, n);
+  const int ends = through.closed ? 0 : 1;
+  const int unknowns = n - 2 * ends;
+  Matrix3Xd result = Matrix3Xd::Zero(3, n);
+  if (unknowns == 0) return result;
   const Matrix3Xd slopes = edge_vectors(through).array().rowwise() / chords.transpose().array();
-  for (int i = 0; i < n; ++i) {
-    if (!through.closed && (i == 0 || i == n - 1)) {
-      system(i, i) = 1;
-      continue;
-    }
-    const int before = (i + n - 1) % n;
-    const int after = (i + 1) % n;
-    system(i, before) += chords[before] / 6;
-    system(i, i) += (chords[before] + chords[i]) / 3;
-    system(i, after) += chords[i] / 6;
-    right.col(i) = slopes.col(i) - slopes.col(before);
+  std::vector<Eigen::Triplet<double>> entries;
+  Matrix3Xd right(3, unknowns);
+  for (int i = 0; i < unknowns; ++i) {
+    const int after = i + ends;  // the edge after the knot
+    const int before = (after + n - 1) % n;
+    entries.emplace_back(i, i, (chords[before] + chords[after]) / 3);
+    right.col(i) = slopes.col(after) - slopes.col(before);
+    const int next = (i + 1) % unknowns;
+    if (through.closed || next > i)
+      entries.emplace_back(std::max(i, next), std::min(i, next), chords[after] / 6);
   }
-  return system.partialPivLu().solve(right.transpose()).transpose();
+  Eigen::SparseMatrix<double> system(unknowns, unknowns);
+  system.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(system);
+  result.middleCols(ends, unknowns) = factor.solve(right.transpose()).transpose();
+  return result;
 }
 
 }  // namespace

@@ -138,7 +138,8 @@ std::optional<linalg::Nonnegative> balanced_tensions(const equilibrium::System& 
   auto factor = compliance(bare, state);
   if (!factor) return std::nullopt;
   Balance balance(bare, state, orbits, std::move(*factor));
-  if (balance.small(balance.goal(), accuracy)) return linalg::Nonnegative{.converged = true};
+  if (balance.small(balance.goal(), accuracy))
+    return linalg::Nonnegative{.reason = linalg::NonnegativeReason::enough};
   linalg::NonnegativeProblem problem{.size = static_cast<int>(orbits.size())};
   problem.slope = [&](std::span<const int> set, const Eigen::VectorXd& values,
                       Eigen::VectorXd& slope) { balance.slope(set, values, slope); };
@@ -148,6 +149,7 @@ std::optional<linalg::Nonnegative> balanced_tensions(const equilibrium::System& 
   };
   Eigen::VectorXd slope;
   balance.slope({}, {}, slope);
+  if (!slope.allFinite()) return std::nullopt;
   return linalg::solve_nonnegative(problem, {.tolerance = 1e-9 * slope.cwiseAbs().maxCoeff()});
 }
 

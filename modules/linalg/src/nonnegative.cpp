@@ -4,6 +4,7 @@
 #include <limits>
 #include <tencer/core/error.hpp>
 #include <tencer/linalg/nonnegative.hpp>
+#include <utility>
 
 namespace tencer::linalg {
 namespace {
@@ -87,8 +88,8 @@ bool enter(PositiveSet& set, int j, double slope, Eigen::VectorXd column) {
     return row;
   };
   Eigen::VectorXd row = next_row();
-  const double least = flat * column[set.count()];
-  if (!(row[set.count()] > least)) {
+  const double min_curvature = flat * column[set.count()];
+  if (!(row[set.count()] > min_curvature)) {
     const Eigen::VectorXd along = -set.transposed().solve(row.head(set.count()));
     const auto [times, first] = reach(set.values, along);
     if (first < 0 || times * row[set.count()] >= 2 * slope) return false;
@@ -98,7 +99,7 @@ bool enter(PositiveSet& set, int j, double slope, Eigen::VectorXd column) {
     erase(column, first);
     row = next_row();
   }
-  row[set.count()] = std::sqrt(std::max(row[set.count()], least));
+  row[set.count()] = std::sqrt(std::max(row[set.count()], min_curvature));
   set.add(j, value, row);
   return true;
 }
@@ -120,73 +121,108 @@ void minimise(PositiveSet& set, Eigen::VectorXd slope) {
   }
 }
 
+// The method: one variable enters at a time, and the minimum over the set is found anew.
+class Search {
+ public:
+  Search(const NonnegativeProblem& problem, const NonnegativeOptions& options)
+      : problem_(problem), options_(options), slope_(problem.size), barred_(problem.size, false) {}
+
+  Nonnegative run() {
+    const NonnegativeReason reason = descend();
+    return {.set = std::move(set_.indices),
+            .values = std::move(set_.values),
+            .steps = steps_,
+            .reason = reason};
+  }
+
+ private:
+  NonnegativeReason descend() {
+    if (!find_slope()) return NonnegativeReason::not_finite;
+    for (;;) {
+      const int entering = steepest();
+      if (entering < 0) return endless_ ? NonnegativeReason::unbounded : NonnegativeReason::solved;
+      if (steps_ == options_.max_steps) return NonnegativeReason::step_limit;
+      ++steps_;
+      const Eigen::VectorXd column = problem_.column(set_.indices, entering);
+      core::require(column.size() == set_.count() + 1,
+                    "NonnegativeProblem::column must give a number for each variable of the set, "
+                    "and last A(j, j)");
+      if (!column.allFinite()) return NonnegativeReason::not_finite;
+      core::require(column[set_.count()] >= 0, "NonnegativeProblem::column: A(j, j) is negative");
+      if (!take_in(entering, column)) continue;
+      if (problem_.enough && problem_.enough(set_.indices, set_.values))
+        return NonnegativeReason::enough;
+      if (!find_slope()) return NonnegativeReason::not_finite;
+    }
+  }
+
+  bool find_slope() {
+    problem_.slope(set_.indices, set_.values, slope_);
+    core::require(slope_.size() == problem_.size,
+                  "NonnegativeProblem::slope must give a number for each variable");
+    return slope_.allFinite();
+  }
+
+  int steepest() const {
+    std::vector<bool> out = barred_;
+    for (const int j : set_.indices) out[j] = true;
+    int found = -1;
+    for (int j = 0; j < problem_.size; ++j)
+      if (!out[j] && slope_[j] > (found < 0 ? options_.tolerance : slope_[found])) found = j;
+    return found;
+  }
+
+  // False when the variable could not enter, with the set as it was.
+  bool take_in(int entering, const Eigen::VectorXd& column) {
+    // Of the numbers a slope is the difference of; it is not known any better.
+    constexpr double rounding = 1e-14;
+    const double known_to =
+        rounding * std::sqrt(column[set_.count()]) * (set_.transposed() * set_.values).norm();
+    const bool negligible = slope_[entering] <= known_to;
+    if (negligible || !enter(set_, entering, slope_[entering], column)) {
+      barred_[entering] = true;
+      endless_ = endless_ || !negligible;
+      return false;
+    }
+    minimise(set_, slope_(set_.indices));
+    if (std::ranges::find(set_.indices, entering) == set_.indices.end()) {
+      barred_[entering] = true;  // its gain was all rounding
+    } else {
+      barred_.assign(barred_.size(), false);
+      endless_ = false;
+    }
+    return true;
+  }
+
+  const NonnegativeProblem& problem_;
+  const NonnegativeOptions& options_;
+  PositiveSet set_{};
+  Eigen::VectorXd slope_;
+  std::vector<bool> barred_;  // until the set changes
+  bool endless_ = false;      // nothing stops one of those barred
+  int steps_ = 0;
+};
+
 }  // namespace
+
+void NonnegativeOptions::validate() const {
+  core::require(tolerance >= 0, "NonnegativeOptions: tolerance must not be negative");
+  core::require(max_steps > 0, "NonnegativeOptions: max_steps must be positive");
+}
 
 Nonnegative solve_nonnegative(const NonnegativeProblem& problem,
                               const NonnegativeOptions& options) {
   core::require(problem.size >= 0 && problem.slope && problem.column,
                 "NonnegativeProblem needs a size that is not negative, slope and column");
-  core::require(options.tolerance >= 0 && options.max_steps > 0,
-                "NonnegativeOptions: tolerance must not be negative, max_steps positive");
-  // Of the numbers a slope is the difference of; it is not known any better.
-  constexpr double rounding = 1e-14;
-  PositiveSet set;
-  Eigen::VectorXd slope(problem.size);
-  std::vector<bool> barred(problem.size, false);  // until the set changes
-  bool endless = false;                           // nothing stops one of those barred
-  int steps = 0;
-  const auto finished = [&](bool converged) -> Nonnegative {
-    return {.set = set.indices, .values = set.values, .steps = steps, .converged = converged};
-  };
-  const auto find_slope = [&] {
-    problem.slope(set.indices, set.values, slope);
-    core::require(slope.size() == problem.size && slope.allFinite(),
-                  "NonnegativeProblem::slope must give a finite number for each variable");
-  };
-  const auto steepest = [&] {
-    std::vector<bool> out = barred;
-    for (const int j : set.indices) out[j] = true;
-    int found = -1;
-    for (int j = 0; j < problem.size; ++j)
-      if (!out[j] && slope[j] > (found < 0 ? options.tolerance : slope[found])) found = j;
-    return found;
-  };
-  find_slope();
-  for (;;) {
-    const int entering = steepest();
-    if (entering < 0) return finished(!endless);
-    if (steps == options.max_steps) return finished(false);
-    ++steps;
-    const Eigen::VectorXd column = problem.column(set.indices, entering);
-    core::require(
-        column.size() == set.count() + 1 && column.allFinite() && column[set.count()] >= 0,
-        "NonnegativeProblem::column must give finite numbers, one for each variable of the set and "
-        "last A(j, j), which is not negative");
-    const double known_to =
-        rounding * std::sqrt(column[set.count()]) * (set.transposed() * set.values).norm();
-    const bool negligible = slope[entering] <= known_to;
-    if (negligible || !enter(set, entering, slope[entering], column)) {
-      barred[entering] = true;
-      endless = endless || !negligible;
-      continue;
-    }
-    minimise(set, slope(set.indices));
-    if (std::ranges::find(set.indices, entering) == set.indices.end()) {
-      barred[entering] = true;  // its gain was all rounding
-    } else {
-      barred.assign(barred.size(), false);
-      endless = false;
-    }
-    if (problem.enough && problem.enough(set.indices, set.values)) return finished(true);
-    find_slope();
-  }
+  options.validate();
+  return Search(problem, options).run();
 }
 
 Nonnegative solve_nonnegative(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
                               const NonnegativeOptions& options) {
   core::require(A.rows() == A.cols() && A.rows() == b.size(),
                 "solve_nonnegative: A must be square and fit b");
-  core::require(A.allFinite() && b.allFinite(), "solve_nonnegative: A and b must be finite");
+  if (!A.allFinite() || !b.allFinite()) return {.reason = NonnegativeReason::not_finite};
   NonnegativeProblem problem{.size = static_cast<int>(b.size())};
   problem.slope = [&](std::span<const int> set, const Eigen::VectorXd& values,
                       Eigen::VectorXd& slope) {

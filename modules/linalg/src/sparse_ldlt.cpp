@@ -103,8 +103,9 @@ Inertia SparseLdlt::inertia() const {
   return inertia;
 }
 
-Eigen::MatrixXd SparseLdlt::solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) {
+Eigen::MatrixXd SparseLdlt::solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) const {
   const Eigen::MatrixXd packed = right_hand_sides;
+  const std::scoped_lock lock(solving_);
   cholmod_dense view = view_of(packed.data(), packed.rows(), packed.cols());
   cholmod_dense* x = cholmod_solve(CHOLMOD_A, factor_, &view, &common_);
   require_memory();
@@ -114,7 +115,8 @@ Eigen::MatrixXd SparseLdlt::solve(const Eigen::Ref<const Eigen::MatrixXd>& right
   return solution;
 }
 
-void SparseLdlt::solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) {
+void SparseLdlt::solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) const {
+  const std::scoped_lock lock(solving_);
   cholmod_dense view = view_of(right_hand_side.data(), right_hand_side.size(), 1);
   cholmod_solve2(CHOLMOD_A, factor_, &view, nullptr, &solution_, nullptr, &workspace_y_,
                  &workspace_e_, &common_);
@@ -123,13 +125,14 @@ void SparseLdlt::solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& 
                                                right_hand_side.size());
 }
 
-Eigen::VectorXd SparseLdlt::negative_curvature() {
+Eigen::VectorXd SparseLdlt::negative_curvature() const {
   int lowest = 0;
   for (int j = 1; j < size(); ++j)
     if (pivot(j) < pivot(lowest)) lowest = j;
   if (pivot(lowest) >= 0.0) return {};
   // With P A P^T = L D L^T and L^T P d = e_j, d^T A d = D_jj.
   const Eigen::VectorXd unit = Eigen::VectorXd::Unit(size(), lowest);
+  const std::scoped_lock lock(solving_);
   cholmod_dense view = view_of(unit.data(), unit.size(), 1);
   cholmod_dense* permuted = cholmod_solve(CHOLMOD_Lt, factor_, &view, &common_);
   require_memory();

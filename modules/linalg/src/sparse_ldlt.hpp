@@ -4,11 +4,13 @@
 
 #include <cholmod.h>
 
+#include <mutex>
 #include <tencer/linalg/symmetric_factor.hpp>
 
 namespace tencer::linalg {
 
-// One cholmod_common each: it is neither shareable between threads nor copyable.
+// One cholmod_common each, which is not copyable and holds the workspace of solves too: const
+// functions take turns with it, so they may be called from several threads at once.
 class SparseLdlt {
  public:
   SparseLdlt();
@@ -25,11 +27,11 @@ class SparseLdlt {
   double entries() const { return common_.lnz; }
 
   // matrix + shift * identity, with the analysed pattern. False when a pivot is lost in rounding.
-  bool factorise(const SymmetricMatrix& matrix, double shift);
+  [[nodiscard]] bool factorise(const SymmetricMatrix& matrix, double shift);
   Inertia inertia() const;
-  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides);
-  void solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution);
-  Eigen::VectorXd negative_curvature();
+  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) const;
+  void solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) const;
+  Eigen::VectorXd negative_curvature() const;
 
  private:
   int size() const { return static_cast<int>(factor_->n); }
@@ -37,11 +39,12 @@ class SparseLdlt {
   bool pivots_are_significant() const;
   void require_memory() const;
 
-  cholmod_common common_{};
   cholmod_factor* factor_ = nullptr;
-  cholmod_dense* solution_ = nullptr;     // kept between solves
-  cholmod_dense* workspace_y_ = nullptr;  // the same
-  cholmod_dense* workspace_e_ = nullptr;
+  mutable std::mutex solving_;  // held by who uses what follows in a const function
+  mutable cholmod_common common_{};
+  mutable cholmod_dense* solution_ = nullptr;     // kept between solves
+  mutable cholmod_dense* workspace_y_ = nullptr;  // the same
+  mutable cholmod_dense* workspace_e_ = nullptr;
 };
 
 }  // namespace tencer::linalg

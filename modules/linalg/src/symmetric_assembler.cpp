@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <tencer/core/error.hpp>
 #include <tencer/linalg/symmetric_assembler.hpp>
 
 namespace tencer::linalg {
@@ -15,6 +16,7 @@ SymmetricAssembler::SymmetricAssembler(int size, std::span<const std::vector<int
     const auto& element = elements[e];
     int pairs = 0;
     for (int b = 0; b < static_cast<int>(element.size()); ++b) {
+      core::require(element[b] < size, "SymmetricAssembler: an index is not below the size");
       if (element[b] < 0) continue;
       places[element[b]].push_back({e, b});
       for (int row : element) pairs += row >= element[b] ? 1 : 0;

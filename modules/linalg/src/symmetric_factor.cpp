@@ -70,7 +70,7 @@ Inertia SymmetricFactor::inertia() const {
 
 Eigen::MatrixXd SymmetricFactor::solve(
     const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) const {
-  auto& self = *implementation_;
+  const auto& self = *implementation_;
   core::require(self.usable && right_hand_sides.rows() == self.size(),
                 "solve: needs a factorised matrix of the same size");
   if (right_hand_sides.cols() == 0) return right_hand_sides;  // which CHOLMOD and Eigen mistake
@@ -79,7 +79,7 @@ Eigen::MatrixXd SymmetricFactor::solve(
 
 void SymmetricFactor::solve(const Eigen::VectorXd& right_hand_side,
                             Eigen::VectorXd& solution) const {
-  auto& self = *implementation_;
+  const auto& self = *implementation_;
   core::require(self.usable && right_hand_side.size() == self.size(),
                 "solve: needs a factorised matrix of the same size");
   if (self.is_dense)
@@ -89,7 +89,7 @@ void SymmetricFactor::solve(const Eigen::VectorXd& right_hand_side,
 }
 
 Eigen::VectorXd SymmetricFactor::negative_curvature() const {
-  auto& self = *implementation_;
+  const auto& self = *implementation_;
   core::require(self.usable, "negative_curvature: needs a factorised matrix");
   return self.is_dense ? self.dense.negative_curvature() : self.sparse.negative_curvature();
 }

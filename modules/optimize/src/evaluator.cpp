@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t level_window = 8;
 // A line search that fails takes a dozen; some methods would go on to their iteration limit.
-constexpr int failures_in_vain = 50;
+constexpr int max_failures_in_vain = 50;
 
 Eigen::VectorXd between_bounds(const Problem& problem, const Eigen::VectorXd& p) {
   return p.cwiseMax(problem.lower).cwiseMin(problem.upper);
@@ -39,7 +39,7 @@ const char* phrase(Reason reason) {
 }  // namespace
 
 Evaluator::Evaluator(const Problem& problem, const Eigen::VectorXd& start, const Options& options)
-    : problem_(problem), options_(options), step_limit_(options.first_step) {
+    : problem_(problem), options_(options), step_limit_(options.initial_step) {
   problem.validate();
   options.validate();
   core::require(start.size() == problem.size() && start.allFinite(),
@@ -96,7 +96,7 @@ bool Evaluator::may_evaluate(const Eigen::VectorXd& p) {
     reason_ = Reason::stopped;
   else if (report_.evaluations >= options_.max_evaluations)
     reason_ = Reason::evaluation_limit;
-  else if (failed_since_best_ >= failures_in_vain)
+  else if (failed_since_best_ >= max_failures_in_vain)
     reason_ = Reason::lost;
   return !finished() && (p - iterate_).lpNorm<Eigen::Infinity>() <= step_limit_ * (1.0 + 1e-12);
 }

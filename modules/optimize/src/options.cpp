@@ -8,7 +8,7 @@ void Options::validate() const {
   core::require(max_iterations > 0, "Options: max_iterations must be positive");
   core::require(gradient_tolerance > 0.0, "Options: gradient_tolerance must be positive");
   core::require(value_tolerance >= 0.0, "Options: value_tolerance must not be negative");
-  core::require(first_step > 0.0, "Options: first_step must be positive");
+  core::require(initial_step > 0.0, "Options: initial_step must be positive");
 }
 
 }  // namespace tencer::optimize

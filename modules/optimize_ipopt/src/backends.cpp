@@ -119,7 +119,7 @@ void set_options(Ipopt::OptionsList& list, const Options& options) {
   list.SetNumericValue("bound_relax_factor", 0.0);
   // By default the start is pushed 1e-2 off its bounds, which a warm start does not survive; the
   // barrier has to start as low, or it pushes in its turn.
-  const double push = std::min(1e-4, 0.5 * options.first_step);
+  const double push = std::min(1e-4, 0.5 * options.initial_step);
   list.SetNumericValue("bound_push", push);
   list.SetNumericValue("bound_frac", push);
   list.SetNumericValue("mu_init", 1e-4);

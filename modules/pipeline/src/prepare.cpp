@@ -3,10 +3,10 @@
 #include <sstream>
 #include <tencer/equilibrium/frames.hpp>
 #include <tencer/equilibrium/rigid_modes.hpp>
-#include <tencer/geometry/hull.hpp>
 #include <tencer/ground_structure/candidates.hpp>
 #include <tencer/model/frames.hpp>
 #include <tencer/pipeline/prepare.hpp>
+#include <tencer/pipeline/surrounds.hpp>
 #include <tencer/pipeline/symmetry.hpp>
 #include <utility>
 
@@ -37,7 +37,7 @@ std::optional<core::Error> check_anchors(const model::Scene& scene) {
     return {};
   for (std::size_t r = 0; r < scene.target.points.size(); ++r) {
     const auto outside =
-        geometry::outside_hull(structure.anchors, scene.target.points[r], structure.planar);
+        furthest_outside(structure.anchors, scene.target.points[r], structure.planar);
     if (outside.point < 0) continue;
     std::ostringstream message;
     message << "anchors: their convex hull must enclose the target, but ";
@@ -70,7 +70,7 @@ std::optional<core::Error> check_hand_over(const model::Scene& scene) {
     if (within.cols() > 0) {
       const Eigen::Vector3d centre = within.rowwise().mean();
       within = ((1 - clear) * (within.colwise() - centre)).colwise() + centre;
-      if (geometry::outside_hull(within, point, structure.planar).point < 0) continue;
+      if (furthest_outside(within, point, structure.planar).point < 0) continue;
     }
     std::ostringstream message;
     message << "design.hand_over: the anchors "

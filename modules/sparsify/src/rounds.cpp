@@ -113,7 +113,7 @@ Improved improve_in_rounds(const Network& network, const model::Target& target,
          .max_iterations = iterations,
          .gradient_tolerance = outer.gradient_tolerance,
          .value_tolerance = outer.value_tolerance,
-         .first_step = 0.5,
+         .initial_step = 0.5,
          .curvature =
              supplied ? optimize::Curvature::supplied : optimize::Curvature::limited_memory,
          .stop = control.stop,

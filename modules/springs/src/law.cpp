@@ -29,8 +29,8 @@ Eigen::Matrix3d stiffness_matrix(const Cable& cable, const Eigen::Vector3d& d, d
          (cable.stiffness - density) / (length * length) * d * d.transpose();
 }
 
-Cable rebased(const Cable& cable, double length, double rho) {
-  return with_tension(cable, length, tension(cable, length), rho);
+Cable rebased(const Cable& cable, double length, double rest_ratio) {
+  return with_tension(cable, length, tension(cable, length), rest_ratio);
 }
 
 Cable with_tension(Cable cable, double length, double tension, double rest_ratio) {

@@ -2,7 +2,10 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <tencer/core/version.hpp>
 #include <tencer/der/energy.hpp>
+
+static_assert(TENCER_VERSION_MAJOR == 0 && TENCER_VERSION_MINOR == 1, "as find_package asks for");
 
 int main() {
   const double pi = std::numbers::pi;

@@ -20,7 +20,7 @@ void optimize_once(FittedNetwork& fitted, const FitOptions& options) {
        .max_iterations = iterations,
        .gradient_tolerance = 1e-4,
        .value_tolerance = 1e-5,
-       .first_step = 0.5,
+       .initial_step = 0.5,
        .curvature = supplied ? optimize::Curvature::supplied : optimize::Curvature::limited_memory,
        .stop = fitted.stop_token(),
        .progress = [&](const optimize::Progress& progress) { fit.move_to(progress.point); }});

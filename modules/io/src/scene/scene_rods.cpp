@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <tencer/geometry/families.hpp>
+#include <tencer/curves/families.hpp>
 #include <tencer/geometry/sampling.hpp>
 #include <tencer/geometry/spline.hpp>
 #include <tencer/io/curve.hpp>
@@ -18,34 +18,34 @@
 namespace tencer::io {
 namespace {
 
-using geometry::Family;
+using curves::Family;
 using geometry::Polyline;
 
 constexpr int min_vertices = 3;
 
 std::vector<Polyline> family_targets(const TomlTable& rod) {
-  const std::vector<Family> known = geometry::families();
+  const std::vector<Family> known = curves::families();
   std::vector<std::string_view> names;
   for (const Family& family : known) names.push_back(family.name);
   const std::string name = *rod.one_of("family", names);
   const Family& family = *std::ranges::find(known, name, &Family::name);
 
   std::vector<double> values;
-  for (const geometry::FamilyParameter& parameter : family.parameters)
+  for (const curves::FamilyParameter& parameter : family.parameters)
     values.push_back(parameter.standard);
   if (const auto given = rod.table("parameters")) {
     std::vector<std::string_view> keys;
-    for (const geometry::FamilyParameter& parameter : family.parameters)
+    for (const curves::FamilyParameter& parameter : family.parameters)
       keys.push_back(parameter.name);
     given->only(keys);
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] = given->number(keys[i]).value_or(values[i]);
   }
   const int vertices =
-      rod.integer("vertices", min_vertices, geometry::most_vertices).value_or(family.vertices);
-  if (const auto problem = geometry::family_problem(family, values, vertices))
+      rod.integer("vertices", min_vertices, geometry::max_vertices).value_or(family.vertices);
+  if (const auto problem = curves::family_problem(family, values, vertices))
     rod.fail(rod.has("parameters") ? "parameters" : "family", *problem);
-  return geometry::family_curves(family, values, vertices);
+  return curves::family_curves(family, values, vertices);
 }
 
 std::vector<Polyline> file_targets(const TomlTable& rod, const std::filesystem::path& folder) {
@@ -54,7 +54,7 @@ std::vector<Polyline> file_targets(const TomlTable& rod, const std::filesystem::
   if (!std::filesystem::exists(file, ignored))
     rod.fail("curve", "there is no file " + file.string());
   std::vector<Polyline> curves = value_or_fail(read_curves(file));
-  if (const auto vertices = rod.integer("vertices", min_vertices, geometry::most_vertices))
+  if (const auto vertices = rod.integer("vertices", min_vertices, geometry::max_vertices))
     for (Polyline& curve : curves) curve = geometry::resample(curve, *vertices);
   return curves;
 }
@@ -70,7 +70,7 @@ std::vector<Polyline> spline_targets(const TomlTable& rod) {
   const Eigen::Matrix3Xd points = *rod.points("spline");
   for (const auto& point : points.colwise()) listed.points.emplace_back(point);
   const int vertices =
-      rod.integer("vertices", min_vertices, geometry::most_vertices).value_or(standard_vertices);
+      rod.integer("vertices", min_vertices, geometry::max_vertices).value_or(standard_vertices);
   return {geometry::sample_spline(finish_curve(listed), vertices)};
 }
 

@@ -10,22 +10,22 @@ namespace tencer::core {
 
 // What is wrong with an input and where. `where` is a place a person can go to: "scene.toml:12",
 // "curve.obj:7", "scene.toml: rods[0].EA". `message` says what is wrong and what would be right.
-struct Error {
+struct [[nodiscard]] Error {
   std::string where;
   std::string message;
 
   std::string text() const { return where.empty() ? message : where + ": " + message; }
 };
 
-// A value or the Error that prevented it. Reading the one that is not there is a caller's mistake
-// and throws std::bad_variant_access.
+// A value or the Error that prevented it; not to be dropped unseen. Reading the one that is not
+// there is a caller's mistake and throws std::bad_variant_access.
 template <class T>
-class Expected {
+class [[nodiscard]] Expected {
  public:
   Expected(T value) : content_(std::move(value)) {}
   Expected(Error error) : content_(std::move(error)) {}
 
-  bool has_value() const { return std::holds_alternative<T>(content_); }
+  [[nodiscard]] bool has_value() const { return std::holds_alternative<T>(content_); }
   explicit operator bool() const { return has_value(); }
 
   const T& value() const& { return std::get<T>(content_); }

@@ -1,4 +1,6 @@
-// A rod's elastic energy and its derivatives, element by element (paper eq. 1).
+// A rod's elastic energy and its derivatives, element by element (paper eq. 1). Units are those of
+// the rod: a length and a force. Rods have passed validate(), states come from make_state() and
+// displace(), and vectors have the sizes stated; none of this is checked again.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,6 +30,7 @@ void add_gradient(const Rod& rod, const RodState& state, Eigen::Ref<Eigen::Vecto
 Eigen::VectorXd axial_forces(const Rod& rod, const Eigen::Matrix3Xd& x);
 
 // Receives the Hessian of one element: k x k, column major, symmetric, k the length of its list.
+// The matrix is there only during the call.
 using ElementSink = std::function<void(int element, const double* matrix)>;
 
 // Sends every element's Hessian to `sink` in the order of elements(). `axial` (per edge) is the

@@ -49,7 +49,8 @@ struct Rod {
 void validate(const Rod& rod);
 
 // Makes the curve x (3 x n) with material directors m1 (3 x edges, as far as perpendicular to the
-// edges) the rest shape: rest_lengths, rest_curvature and rest_twist (each in [-pi, pi]).
+// edges) the rest shape: rest_lengths, rest_curvature and rest_twist (each in [-pi, pi]). Throws
+// std::invalid_argument when the numbers of vertices and directors do not fit.
 void set_rest_shape(Rod& rod, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& m1);
 
 // How twist enters. An isotropic rod that is straight at rest carries no twist when an end is free
@@ -81,13 +82,15 @@ struct RodState {
 // from a director that is a function of the first tangent alone, and the theta that a twist by
 // rest_twist gives: 0 along an untwisted open rod, also at clamped ends (set_material_frame sets
 // others). With a closing angle the remaining twist is spread evenly. The initial holonomy is in
-// [-pi, pi], so a closing angle counts its turns from there.
+// [-pi, pi], so a closing angle counts its turns from there. Throws std::invalid_argument unless x
+// has a column for each vertex.
 RodState make_state(const Rod& rod, Eigen::Matrix3Xd x);
 
-// Columns m1, m2, tangent of an edge. States of per-edge rods only (require), as for:
+// Columns m1, m2, tangent of an edge. This and the next throw std::invalid_argument for rods that
+// keep no angle per edge and for edges that they do not have.
 Eigen::Matrix3d material_frame(const RodState& state, int edge);
-// Turns theta of `edge`, by at most half a turn, so that m1 is as given (as far as it is
-// perpendicular to the edge; require: not along it).
+// Turns theta of `edge`, by at most half a turn, so that m1 is as given, as far as it is
+// perpendicular to the edge. Throws std::invalid_argument for an m1 along the edge, to 1e-8.
 void set_material_frame(RodState& state, int edge, const Eigen::Vector3d& m1);
 
 }  // namespace tencer::der

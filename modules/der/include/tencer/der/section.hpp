@@ -14,7 +14,9 @@ struct Section {
   bool isotropic() const { return EI1 == EI2; }
 };
 
-// E: Young's modulus, force per length squared, positive. poisson in (-1, 0.5].
+// youngs_modulus: force per length squared; poisson in (-1, 0.5]; sizes are lengths. All throw
+// std::invalid_argument, saying what is wrong, for values out of range, and for an inner radius
+// that is negative or not less than the outer one.
 Section solid_circle(double youngs_modulus, double poisson, double radius);
 Section tube(double youngs_modulus, double poisson, double outer_radius, double inner_radius);
 // width along m1, height along m2; GJ by Saint-Venant's series for a rectangle.

@@ -16,10 +16,12 @@ struct Location {
   double t = 0.0;
 };
 
-// The arc-length positions gamma_i of a polyline's vertices, from its edge lengths at rest.
+// The arc-length positions gamma_i of a polyline's vertices, from its edge lengths at rest, in
+// their unit.
 class ArcLength {
  public:
-  // edge_lengths: all positive and finite; n for a closed curve of n vertices, n-1 for an open one.
+  // edge_lengths: n for a closed curve of n vertices, n-1 for an open one. Throws
+  // std::invalid_argument unless all are positive and finite, and there is one.
   ArcLength(const Eigen::VectorXd& edge_lengths, bool closed);
 
   double length() const { return knots_[knots_.size() - 1]; }
@@ -30,6 +32,7 @@ class ArcLength {
 
   // Closed: the representative of s modulo length() in [0, length()), exactly periodic, also for
   // negative s, for multiples of the length, and just below it. Open: s clamped to [0, length()].
+  // This and locate throw std::invalid_argument for an s that is not finite.
   double wrap(double s) const;
 
   // The edge and parameter of the point at s (wrapped first).

@@ -47,7 +47,7 @@ struct VertexPair {
 };
 
 // The two vertices that are closest to each other, on one curve or on two; neighbours count. None
-// for fewer than two vertices in all.
+// for fewer than two vertices in all. Time grows with the square of the number of vertices.
 std::optional<VertexPair> closest_vertices(std::span<const Polyline> curves);
 
 }  // namespace tencer::geometry

@@ -6,7 +6,7 @@
 
 namespace tencer::linalg {
 
-struct Eigenpairs {
+struct [[nodiscard]] Eigenpairs {
   Eigen::VectorXd values;   // ascending, k
   Eigen::MatrixXd vectors;  // n x k, orthonormal columns
   bool converged = false;
@@ -17,8 +17,10 @@ struct Eigenpairs {
 using InverseOperator = std::function<void(const double* in, double* out)>;
 
 // The `count` smallest eigenvalues of a positive semidefinite A, through the largest of A^-1
-// (Spectra, Lanczos with implicit restarts). n > count >= 1. converged is false when the iteration
-// limit was reached; values and vectors then hold what was found.
+// (Spectra, Lanczos with implicit restarts). converged is false when the iteration limit was
+// reached, and values and vectors then hold what was found, or when the operator gave zeros or
+// numbers that are not finite, and they are empty. tolerance: relative, of an eigenvalue. Throws
+// std::invalid_argument unless n > count >= 1, and what the operator throws.
 Eigenpairs lowest_eigenpairs(const InverseOperator& inverse, int n, int count,
                              double tolerance = 1e-8);
 

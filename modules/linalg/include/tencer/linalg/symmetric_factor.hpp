@@ -19,7 +19,9 @@ struct FactorCost {
   double bytes = 0.0;
 };
 
-// Throws std::bad_alloc where memory runs out.
+// Const functions may be called from several threads at once, and solve the same to the last bit as
+// from one; sparse solves with one factor then wait for each other. Throws std::bad_alloc where
+// memory runs out.
 class SymmetricFactor {
  public:
   SymmetricFactor();
@@ -29,12 +31,14 @@ class SymmetricFactor {
 
   // Factorises `matrix` (lower triangle) + shift * identity. Returns false when a pivot is lost
   // in rounding or the matrix is not finite; then inertia().zero > 0 and solve must not be called.
-  bool factorise(const SymmetricMatrix& matrix, double shift = 0.0);
+  // Throws std::invalid_argument for a matrix that is not square and compressed.
+  [[nodiscard]] bool factorise(const SymmetricMatrix& matrix, double shift = 0.0);
 
   // Signs of D: by Sylvester's law the signs of the matrix's eigenvalues.
   Inertia inertia() const;
 
-  // right_hand_sides: size x k. Requires a successful factorise.
+  // right_hand_sides: size x k. These and negative_curvature throw std::invalid_argument for a
+  // wrong size and unless the last factorise succeeded.
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) const;
   // The same for one right-hand side into `solution`, without allocating once warmed up.
   void solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) const;
@@ -43,7 +47,7 @@ class SymmetricFactor {
   // of the most negative pivot; empty when no pivot is negative.
   Eigen::VectorXd negative_curvature() const;
 
-  // Of the pattern factorised last.
+  // Of the pattern factorised last; throws std::invalid_argument when there is none.
   FactorCost cost() const;
 
   // How often a matrix was analysed and factorised, for reports and benchmarks.

@@ -21,7 +21,7 @@ struct Backend {
   std::function<Report(const Problem&, const Eigen::VectorXd& start, const Options&)> minimise{};
 };
 
-// The backend called `name`, or an error (with no place) that names those that are there.
+// The backend called `name`, or an error (with no place) that names those that are there; a copy.
 core::Expected<Backend> find_backend(std::span<const Backend> backends, std::string_view name);
 
 }  // namespace tencer::optimize

@@ -16,7 +16,8 @@ namespace tencer::optimize {
 
 // For the writer of a backend: give the method value, gradient and hessian, tell accept when the
 // method moves, return from the method as soon as finished() holds, and return finish(). None of
-// these throws but the constructor and finish. `problem` and `options` must outlive the evaluator.
+// these throws but the constructor and finish. `problem` and `options` must outlive the evaluator,
+// which belongs to one thread.
 class Evaluator {
  public:
   using Point = Eigen::Ref<const Eigen::VectorXd>;
@@ -28,13 +29,13 @@ class Evaluator {
   const Eigen::VectorXd& start() const { return start_; }
 
   // A reason to stop is known; from now on nothing is evaluated.
-  bool finished() const { return reason_.has_value() || exception_ != nullptr; }
+  [[nodiscard]] bool finished() const { return reason_.has_value() || exception_ != nullptr; }
 
   // nullopt and false where p (P) cannot be evaluated or must not be (a limit, a stop, a step
-  // beyond Options::first_step).
-  std::optional<double> value(const Point& p);
-  bool gradient(const Point& p, Eigen::VectorXd& g);
-  bool hessian(const Point& p, Eigen::MatrixXd& h);
+  // beyond Options::initial_step).
+  [[nodiscard]] std::optional<double> value(const Point& p);
+  [[nodiscard]] bool gradient(const Point& p, Eigen::VectorXd& g);
+  [[nodiscard]] bool hessian(const Point& p, Eigen::MatrixXd& h);
 
   // The method moved to p, whose gradient has been computed last. Repeating it changes nothing.
   void accept(const Point& p);

@@ -1,5 +1,6 @@
 // A bounded Levenberg-Marquardt method: for sums of squares and whatever else brings a Hessian that
-// is, or nearly is, positive semidefinite. Needs no other package, so every build has it.
+// is, or nearly is, positive semidefinite. Needs no other package, so every build has it, and its
+// runs in different threads know nothing of each other.
 #pragma once
 
 #include <tencer/optimize/backend.hpp>

@@ -1,4 +1,5 @@
-// When an optimizer stops and how boldly it starts; the same for every backend.
+// When an optimizer stops and how boldly it starts; the same for every backend. Parameters and
+// values are in the problem's own units, of order one (see Problem).
 #pragma once
 
 #include <Eigen/Core>
@@ -37,12 +38,14 @@ struct Options {
   // section 5). The limit doubles with each accepted iterate, so that it tames the start and does
   // not hold back what follows; a trial without a value halves its own distance. Trials beyond the
   // limit are refused without being evaluated, since those that fail are the dearest.
-  double first_step = std::numeric_limits<double>::infinity();
+  double initial_step = std::numeric_limits<double>::infinity();
 
   Curvature curvature = Curvature::limited_memory;
 
-  std::stop_token stop{};                           // asked before each evaluation
-  std::function<void(const Progress&)> progress{};  // may be empty
+  std::stop_token stop{};  // asked before each evaluation
+  // Called in the thread of the minimisation, with what is gone when it returns. May be empty; what
+  // it throws ends the run and comes out of minimise.
+  std::function<void(const Progress&)> progress{};
 
   // Throws std::invalid_argument naming the option that is wrong.
   void validate() const;

@@ -13,7 +13,8 @@ struct Problem {
   Eigen::VectorXd lower,
       upper;  // P each, lower <= upper, may be infinite; equal: a fixed parameter
 
-  // The functions are only called with p (P) between the bounds, one at a time. gradient and
+  // The functions are only called with p (P) between the bounds, one at a time and in the thread of
+  // the minimisation; what they throw ends it and comes out of minimise. gradient and
   // hessian are only called at the p at which value was called last, and succeeded. They must give
   // the same answer for the same p whatever was evaluated before.
   //
@@ -32,8 +33,8 @@ struct Problem {
   void validate() const;
 };
 
-// The gradient with what the bounds hold back taken off: the step p - clamp(p - g) of unit
-// steepest descent, zero exactly at the points that satisfy the first-order conditions.
+// The gradient g (P) with what the bounds hold back at p (P) taken off: the step p - clamp(p - g)
+// of unit steepest descent, zero exactly at the points that satisfy the first-order conditions.
 Eigen::VectorXd projected_gradient(const Problem& problem, const Eigen::VectorXd& p,
                                    const Eigen::VectorXd& g);
 

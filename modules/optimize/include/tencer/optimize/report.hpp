@@ -25,7 +25,7 @@ struct Improvement {
   double value = 0.0;
 };
 
-struct Report {
+struct [[nodiscard]] Report {
   Reason reason = Reason::failed;
   bool usable = false;  // point has a value, the lowest of all that were evaluated
 

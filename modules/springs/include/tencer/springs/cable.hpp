@@ -58,6 +58,7 @@ struct Stencil {
 };
 
 // rods: the arc lengths of the structure's rods; anchors: 3 x k. At a vertex `side` picks the edge.
+// The cable has passed validate() for them.
 Stencil stencil(const Cable& cable, std::span<const geometry::ArcLength> rods,
                 const Eigen::Matrix3Xd& anchors, geometry::Side side = geometry::Side::after);
 

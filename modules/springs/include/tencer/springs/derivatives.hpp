@@ -1,5 +1,5 @@
 // How a cable's force changes with its stiffness k, its rest length l and the places s where it is
-// attached, to second order (paper sections 4 and 5.3).
+// attached, to second order (paper sections 4 and 5.3). E(d, k, l) is the energy of law.hpp.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,8 +22,8 @@ std::array<double, 4> weight_rates(const Cable& cable, const Stencil& stencil,
                                    std::span<const geometry::ArcLength> rods,
                                    Attachment attachment);
 
-// Two directions in which a cable's span, stiffness and rest length vary; the first leaves
-// stiffness and rest length alone. span_12: the mixed second variation of the span.
+// Two directions in which a cable varies: d(a, b) = d + a span_1 + b span_2 + a b span_12,
+// k(b) = k + b stiffness_2, l(b) = l + b rest_length_2. The first leaves k and l alone.
 struct Variation {
   Eigen::Vector3d span_1 = Eigen::Vector3d::Zero();
   Eigen::Vector3d span_2 = Eigen::Vector3d::Zero();
@@ -32,9 +32,10 @@ struct Variation {
   double rest_length_2 = 0.0;
 };
 
-// What the derivatives of the energy E do under a variation: first variations of force = dE/dd, and
-// mixed second ones of force, dE/dk and dE/dl. At d = 0 those of k |d|^2 / 2 where the rest length
-// is 0 and does not vary, otherwise zero.
+// Derivatives at a = b = 0, along a variation, of the derivatives of E: with f = dE/dd, force_1 is
+// df/da, force_2 is df/db, force_12 is d2f/da db, and by_stiffness_12 and by_rest_length_12 are
+// d2/da db of dE/dk and dE/dl. All are zero where the cable is slack. At d = 0 they are those of
+// k |d|^2 / 2 where the rest length is 0 and does not vary, otherwise zero.
 struct Response {
   Eigen::Vector3d force_1 = Eigen::Vector3d::Zero();
   Eigen::Vector3d force_2 = Eigen::Vector3d::Zero();

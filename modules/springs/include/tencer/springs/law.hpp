@@ -1,5 +1,5 @@
-// A cable's energy as a function of its span d, and the derivatives in d, stiffness k and rest
-// length l (paper eq. 3).
+// A cable's energy as a function of its span d, and the derivatives in d (paper eq. 3). Units are
+// the structure's length and force; those in stiffness and rest length are in derivatives.hpp.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,9 +21,10 @@ Eigen::Vector3d force(const Cable& cable, const Eigen::Vector3d& d);
 // at |d|, or a prediction of it (see der::hessian).
 Eigen::Matrix3d stiffness_matrix(const Cable& cable, const Eigen::Vector3d& d, double tension);
 
-// A spring with the same tension at length `length` and rest length rho * length, rho in [0, 1):
-// the same equilibrium with another stiffness (paper section 4, "Cables"). Requires length > 0.
-Cable rebased(const Cable& cable, double length, double rho);
+// A spring with the same tension at length `length` and rest length rest_ratio * length, rest_ratio
+// in [0, 1): the same equilibrium with another stiffness (paper section 4, "Cables"). Throws
+// std::invalid_argument unless length > 0 and rest_ratio is in its range.
+Cable rebased(const Cable& cable, double length, double rest_ratio);
 
 // `cable` as a spring that pulls with `tension` at this length, its rest length rest_ratio (in
 // [0, 1)) times the length. Requires length > 0.

@@ -5,7 +5,7 @@
 #include <deque>
 #include <utility>
 
-namespace tencer::geometry {
+namespace tencer::curves {
 
 // The inverse Hessian as it shows in the last steps (L-BFGS, Nocedal 1980).
 class QuasiNewton {
@@ -35,4 +35,4 @@ class QuasiNewton {
   std::deque<Step> steps_;
 };
 
-}  // namespace tencer::geometry
+}  // namespace tencer::curves

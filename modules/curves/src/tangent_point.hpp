@@ -3,7 +3,7 @@
 
 #include <tencer/geometry/polyline.hpp>
 
-namespace tencer::geometry {
+namespace tencer::curves {
 
 // Of a closed polyline, times its length so that it is invariant under scaling, too:
 //   L sum_{i != j} |T_i x d|^3 / |d|^6 l_i l_j,   d = m_i - m_j,
@@ -14,11 +14,6 @@ struct TangentPoint {
   double energy = 0.0;
   Eigen::Matrix3Xd gradient{};
 };
-TangentPoint tangent_point_energy(const Polyline& curve);
+TangentPoint tangent_point_energy(const geometry::Polyline& curve);
 
-// The least radius of a circle tangent to one edge of a closed polyline in its midpoint and through
-// another's: the radius of the thickest tube about the curve that neither kinks nor meets itself
-// (Gonzalez, Maddocks 1999), up to the discretisation. Length over thickness is the ropelength.
-double thickness(const Polyline& curve);
-
-}  // namespace tencer::geometry
+}  // namespace tencer::curves

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-namespace tencer::geometry {
+namespace tencer::curves {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -38,4 +38,4 @@ void QuasiNewton::learn(const Matrix3Xd& step, const Matrix3Xd& change) {
   if (steps_.size() > memory) steps_.pop_front();
 }
 
-}  // namespace tencer::geometry
+}  // namespace tencer::curves

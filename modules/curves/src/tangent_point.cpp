@@ -1,19 +1,21 @@
+#include "tangent_point.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <tencer/core/error.hpp>
-#include <tencer/geometry/tangent_point.hpp>
 
-namespace tencer::geometry {
+namespace tencer::curves {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
+using geometry::Polyline;
 
 TangentPoint tangent_point_energy(const Polyline& curve) {
   core::require(curve.closed && curve.vertices() >= 3,
                 "tangent_point_energy: needs a closed curve");
   const int n = curve.vertices();
-  const Matrix3Xd edges = edge_vectors(curve);
+  const Matrix3Xd edges = geometry::edge_vectors(curve);
   const Eigen::VectorXd lengths = edges.colwise().norm().transpose();
   const Matrix3Xd midpoints = curve.points + edges / 2;
 
@@ -53,21 +55,4 @@ TangentPoint tangent_point_energy(const Polyline& curve) {
   return result;
 }
 
-double thickness(const Polyline& curve) {
-  core::require(curve.closed && curve.vertices() >= 3, "thickness: needs a closed curve");
-  const Matrix3Xd edges = edge_vectors(curve);
-  const Matrix3Xd midpoints = curve.points + edges / 2;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < curve.vertices(); ++i) {
-    const Vector3d tangent = edges.col(i).normalized();
-    for (int j = 0; j < curve.vertices(); ++j) {
-      if (i == j) continue;
-      const Vector3d d = midpoints.col(i) - midpoints.col(j);
-      const double across = tangent.cross(d).norm();
-      if (across > 0) least = std::min(least, d.squaredNorm() / (2 * across));
-    }
-  }
-  return least;
-}
-
-}  // namespace tencer::geometry
+}  // namespace tencer::curves

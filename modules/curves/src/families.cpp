@@ -2,11 +2,14 @@
 #include <cmath>
 #include <numeric>
 #include <tencer/core/error.hpp>
-#include <tencer/geometry/curves.hpp>
-#include <tencer/geometry/families.hpp>
-#include <tencer/geometry/knots.hpp>
+#include <tencer/curves/analytic.hpp>
+#include <tencer/curves/families.hpp>
+#include <tencer/curves/knots.hpp>
 
-namespace tencer::geometry {
+namespace tencer::curves {
+
+using geometry::Polyline;
+
 namespace {
 
 constexpr std::string_view knot_prefix = "knot-";
@@ -76,7 +79,8 @@ std::optional<std::string> family_problem(const Family& family, std::span<const 
       return name + " must be a whole number from 1 to 1000";
   }
   if (vertices < 3) return "vertices must be at least 3";
-  if (vertices > most_vertices) return "vertices must be at most " + std::to_string(most_vertices);
+  if (vertices > geometry::max_vertices)
+    return "vertices must be at most " + std::to_string(geometry::max_vertices);
   if (family.name == "torus-knot" &&
       std::gcd(static_cast<int>(values[0]), static_cast<int>(values[1])) != 1)
     return "p and q must have no common divisor, or the curve is traced several times";
@@ -112,4 +116,4 @@ std::vector<Polyline> family_curves(const Family& family, std::span<const double
   return {knot(*braid, values[0], vertices)};
 }
 
-}  // namespace tencer::geometry
+}  // namespace tencer::curves

@@ -1,10 +1,13 @@
 #include <tencer/core/error.hpp>
-#include <tencer/geometry/braid.hpp>
-#include <tencer/geometry/knots.hpp>
-#include <tencer/geometry/repulsion.hpp>
+#include <tencer/curves/braid.hpp>
+#include <tencer/curves/knots.hpp>
+#include <tencer/curves/repulsion.hpp>
 #include <tencer/geometry/spline.hpp>
 
-namespace tencer::geometry {
+namespace tencer::curves {
+
+using geometry::Polyline;
+
 namespace {
 
 // Enough for seven crossings, and as many for all, so that the number of vertices asked for does
@@ -43,12 +46,13 @@ std::vector<KnotBraid> knot_table() {
 
 Polyline knot(const KnotBraid& braid, double length, int vertices) {
   core::require(length > 0 && vertices >= 3, "knot: needs a positive length and three vertices");
-  Polyline start = resample(braid_closure(braid.strands, braid.word), working_vertices);
+  Polyline start = geometry::resample(braid_closure(braid.strands, braid.word), working_vertices);
   bend(start);
   const Polyline rest = repel(start).curve;
-  Polyline curve = sample_spline(rest, vertices);
-  curve.points *= length / geometry::length(spline(rest), 0, edge_lengths(rest).sum());
+  Polyline curve = geometry::sample_spline(rest, vertices);
+  curve.points *=
+      length / geometry::length(geometry::spline(rest), 0, geometry::edge_lengths(rest).sum());
   return curve;
 }
 
-}  // namespace tencer::geometry
+}  // namespace tencer::curves

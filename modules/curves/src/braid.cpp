@@ -3,10 +3,13 @@
 #include <cstdlib>
 #include <numbers>
 #include <tencer/core/error.hpp>
-#include <tencer/geometry/braid.hpp>
+#include <tencer/curves/braid.hpp>
 #include <vector>
 
-namespace tencer::geometry {
+namespace tencer::curves {
+
+using geometry::Polyline;
+
 namespace {
 
 using std::numbers::pi;
@@ -52,4 +55,4 @@ Polyline braid_closure(int strands, std::span<const int> word) {
   return curve;
 }
 
-}  // namespace tencer::geometry
+}  // namespace tencer::curves

@@ -4,16 +4,19 @@
 #include <numbers>
 #include <optional>
 #include <tencer/core/error.hpp>
+#include <tencer/curves/repulsion.hpp>
 #include <tencer/geometry/measure.hpp>
-#include <tencer/geometry/repulsion.hpp>
 #include <tencer/geometry/sampling.hpp>
-#include <tencer/geometry/tangent_point.hpp>
 #include <utility>
 #include <vector>
 
 #include "quasi_newton.hpp"
+#include "tangent_point.hpp"
 
-namespace tencer::geometry {
+namespace tencer::curves {
+
+using geometry::Polyline;
+
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -23,26 +26,28 @@ using Eigen::Vector3d;
 // by less than this, such edges stay apart, and the knot stays the same.
 double room(const Polyline& curve) {
   const int n = curve.vertices();
-  const Matrix3Xd edges = edge_vectors(curve);
+  const Matrix3Xd edges = geometry::edge_vectors(curve);
   const Eigen::VectorXd half = edges.colwise().norm().transpose() / 2;
   const Matrix3Xd midpoints = curve.points + edges / 2;
-  double least = std::numeric_limits<double>::infinity();
+  double min_distance = std::numeric_limits<double>::infinity();
   for (int i = 0; i < n; ++i)
     for (int j = i + 2; j < n - (i == 0 ? 1 : 0); ++j) {
       const double at_least = (midpoints.col(i) - midpoints.col(j)).norm() - half[i] - half[j];
-      if (at_least >= least) continue;
+      if (at_least >= min_distance) continue;
       const Vector3d a = curve.points.col(i);
       const Vector3d b = curve.points.col(j);
-      least = std::min(least, segment_approach(a, a + edges.col(i), b, b + edges.col(j)).distance);
+      min_distance =
+          std::min(min_distance,
+                   geometry::segment_approach(a, a + edges.col(i), b, b + edges.col(j)).distance);
     }
-  return least / 2;
+  return min_distance / 2;
 }
 
-double largest(const Matrix3Xd& moves) { return moves.colwise().norm().maxCoeff(); }
+double max_move(const Matrix3Xd& moves) { return moves.colwise().norm().maxCoeff(); }
 
 Polyline of_unit_length(Polyline curve) {
   curve.points.colwise() -= Vector3d(curve.points.rowwise().mean());
-  curve.points /= edge_lengths(curve).sum();
+  curve.points /= geometry::edge_lengths(curve).sum();
   return curve;
 }
 
@@ -72,8 +77,8 @@ struct Stage {
 std::optional<Stage> moved(const Polyline& curve, const Matrix3Xd& step) {
   Polyline next = curve;
   next.points += step;
-  Polyline even = resample(next, curve.vertices());
-  if (largest(even.points - next.points) >= room(next)) return std::nullopt;
+  Polyline even = geometry::resample(next, curve.vertices());
+  if (max_move(even.points - next.points) >= room(next)) return std::nullopt;
   even = of_unit_length(std::move(even));
   TangentPoint value = tangent_point_energy(even);
   return Stage{std::move(even), std::move(value)};
@@ -81,32 +86,39 @@ std::optional<Stage> moved(const Polyline& curve, const Matrix3Xd& step) {
 
 }  // namespace
 
+void RepelOptions::validate() const {
+  core::require(max_iterations >= 0, "RepelOptions: max_iterations must not be negative");
+  core::require(min_decrease >= 0, "RepelOptions: min_decrease must not be negative");
+  core::require(patience > 0, "RepelOptions: patience must be positive");
+}
+
 Repelled repel(const Polyline& curve, const RepelOptions& options) {
+  options.validate();
   const int n = curve.vertices();
   core::require(curve.closed && n >= 8, "repel: needs a closed curve of 8 vertices");
-  Stage stage{of_unit_length(resample(curve, n)), {}};
+  Stage stage{of_unit_length(geometry::resample(curve, n)), {}};
   constexpr double touching = 1e-9;  // of the length
   core::require(room(stage.curve) > touching, "repel: the curve crosses itself");
   stage.value = tangent_point_energy(stage.curve);
 
-  constexpr double least_step = 1e-10;
+  constexpr double min_step = 1e-10;
   QuasiNewton model(inverse_sobolev_metric(n));
   Repelled result;
   std::vector<double> energies{stage.value.energy};
   const auto stalls = [&] {
     const int steps = result.iterations;
     return steps >= options.patience && energies[steps - options.patience] - energies[steps] <
-                                            options.least_decrease * energies[steps];
+                                            options.min_decrease * energies[steps];
   };
-  while (result.iterations < options.iterations && !result.converged) {
+  while (result.iterations < options.max_iterations && !result.converged) {
     Matrix3Xd step = model.direction(stage.value.gradient);
     const double slope = stage.value.gradient.cwiseProduct(step).sum();
     const double allowed = 0.9 * room(stage.curve);
-    const double wanted = largest(step);
+    const double wanted = max_move(step);
     double factor = model.scaled() ? std::min(1.0, allowed / wanted) : allowed / wanted;
     std::optional<Stage> next;
     if (slope < 0)
-      for (; factor * wanted > least_step; factor /= 2) {
+      for (; factor * wanted > min_step; factor /= 2) {
         next = moved(stage.curve, factor * step);
         if (next && next->value.energy < stage.value.energy + 0.1 * factor * slope) break;
         next.reset();
@@ -129,4 +141,4 @@ Repelled repel(const Polyline& curve, const RepelOptions& options) {
   return result;
 }
 
-}  // namespace tencer::geometry
+}  // namespace tencer::curves

@@ -1,16 +1,15 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
-#include <tencer/geometry/braid.hpp>
-#include <tencer/geometry/families.hpp>
-#include <tencer/geometry/knots.hpp>
-#include <tencer/geometry/measure.hpp>
-#include <tencer/geometry/repulsion.hpp>
-#include <tencer/geometry/sampling.hpp>
-#include <tencer/geometry/tangent_point.hpp>
+#include <tencer/curves/braid.hpp>
+#include <tencer/curves/families.hpp>
+#include <tencer/curves/knots.hpp>
 
 #include "knot_type.hpp"
+#include "thickness.hpp"
 
 using namespace tencer;
-using namespace tencer::geometry;
+using namespace tencer::curves;
+using geometry::Polyline;
 using std::numbers::pi;
 
 namespace {
@@ -69,15 +68,6 @@ bool is_knot(const std::vector<Crossing>& shadow, const Known& known) {
   });
 }
 
-Polyline unknot(int n) {
-  Polyline curve{Eigen::Matrix3Xd(3, n), true};
-  for (int i = 0; i < n; ++i) {
-    const double t = 2 * pi * i / n;
-    curve.points.col(i) << std::cos(t) + 0.5 * std::cos(2 * t), std::sin(t), 0.4 * std::sin(3 * t);
-  }
-  return curve;
-}
-
 }  // namespace
 
 TEST_CASE("the tables tell the knots apart") {
@@ -111,7 +101,7 @@ TEST_CASE("knots of the table have the published Alexander and Jones polynomials
     const Eigen::VectorXd lengths = edge_lengths(curve);
     CHECK(lengths.sum() == Approx(300).epsilon(0.005));
     CHECK(lengths.maxCoeff() / lengths.minCoeff() < 1.02);
-    CHECK(thickness(curve) > lengths.sum() / 100);
+    CHECK(test::thickness(curve) > lengths.sum() / 100);
   }
 }
 
@@ -133,59 +123,4 @@ TEST_CASE("knots are families, too") {
   const auto curves = family_curves(*family, values, 90);
   REQUIRE(curves.size() == 1);
   CHECK(curves[0].points == knot(knot_table()[1], 120, 90).points);
-}
-
-TEST_CASE("a braid closure goes round once a strand") {
-  const Polyline curve = braid_closure(3, std::vector<int>{1, 2});
-  double turns = 0;
-  for (int i = 0; i < curve.vertices(); ++i) {
-    const Eigen::Vector3d a = curve.points.col(i), b = curve.points.col((i + 1) % curve.vertices());
-    turns += std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y()) / (2 * pi);
-  }
-  CHECK(turns == Approx(3));
-  const auto closed = [](int strands, std::vector<int> word) { braid_closure(strands, word); };
-  CHECK_THROWS_AS(closed(2, {1, 1}), std::invalid_argument);  // two curves
-  CHECK_THROWS_AS(closed(3, {1, 3}), std::invalid_argument);
-  CHECK_THROWS_AS(closed(3, {0, 1}), std::invalid_argument);
-  CHECK_THROWS_AS(closed(1, {}), std::invalid_argument);
-}
-
-TEST_CASE("gradient of the tangent-point energy") {
-  const Polyline curve = unknot(24);
-  const TangentPoint at = tangent_point_energy(curve);
-  const double h = 1e-6;
-  for (int i = 0; i < 24; ++i)
-    for (int axis = 0; axis < 3; ++axis) {
-      Polyline plus = curve, minus = curve;
-      plus.points(axis, i) += h;
-      minus.points(axis, i) -= h;
-      const double difference =
-          (tangent_point_energy(plus).energy - tangent_point_energy(minus).energy) / (2 * h);
-      CHECK(at.gradient(axis, i) == Approx(difference).epsilon(1e-6).margin(1e-5));
-    }
-}
-
-TEST_CASE("tangent-point energy and thickness of a circle") {
-  // Every circle tangent to it that meets it again is the circle itself, |T x d| / |d|^2 = 1 /
-  // (2R): the energy is L (2 pi R)^2 / (2R)^3.
-  Polyline circle{Eigen::Matrix3Xd(3, 1000), true};
-  for (int i = 0; i < 1000; ++i)
-    circle.points.col(i) << 5 * std::cos(2 * pi * i / 1000), 5 * std::sin(2 * pi * i / 1000), 1;
-  CHECK(tangent_point_energy(circle).energy == Approx(pi * pi * pi).epsilon(2e-3));
-  CHECK(thickness(circle) == Approx(5).epsilon(1e-4));
-}
-
-TEST_CASE("an unknot comes to rest as a circle") {
-  const Repelled rest = repel(unknot(60));
-  CHECK(rest.converged);
-  CHECK(rest.energy == Approx(tangent_point_energy(rest.curve).energy).epsilon(1e-12));
-  CHECK(edge_lengths(rest.curve).sum() == Approx(1));
-  const Eigen::RowVectorXd radii = rest.curve.points.colwise().norm();
-  CHECK(radii.maxCoeff() / radii.minCoeff() < 1.02);
-}
-
-TEST_CASE("repulsion does not start from a curve that crosses itself") {
-  Polyline eight{Eigen::Matrix3Xd(3, 16), true};
-  for (int i = 0; i < 16; ++i) eight.points.col(i) << std::sin(pi * i / 8), std::sin(pi * i / 4), 0;
-  CHECK_THROWS_AS(repel(eight), std::invalid_argument);
 }

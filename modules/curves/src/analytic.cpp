@@ -3,10 +3,14 @@
 #include <numbers>
 #include <numeric>
 #include <tencer/core/error.hpp>
-#include <tencer/geometry/curves.hpp>
+#include <tencer/curves/analytic.hpp>
 #include <tencer/geometry/sampling.hpp>
 
-namespace tencer::geometry {
+namespace tencer::curves {
+
+using geometry::Curve;
+using geometry::Polyline;
+
 namespace {
 
 using std::cos;
@@ -21,7 +25,7 @@ Curve torus_knot_curve(int p, int q, double major, double minor) {
 }
 
 Polyline closed_curve(const Curve& curve, int vertices) {
-  return sample(curve, 0.0, 2.0 * pi, vertices, true);
+  return geometry::sample(curve, 0.0, 2.0 * pi, vertices, true);
 }
 
 }  // namespace
@@ -38,7 +42,7 @@ Polyline helix(double diameter, double pitch, double turns, int vertices) {
   core::require(diameter > 0 && turns > 0, "helix: needs a positive diameter and turns");
   const double radius = diameter / 2.0;
   const double rise = pitch / (2.0 * pi);
-  return sample(
+  return geometry::sample(
       [=](double t) { return Eigen::Vector3d(radius * cos(t), radius * sin(t), rise * t); }, 0.0,
       2.0 * pi * turns, vertices, false);
 }
@@ -66,7 +70,7 @@ Polyline trefoil(TrefoilForm form, double curve_length, int vertices) {
       unit = torus_knot_curve(3, 2, 1.0, 0.4);
       break;
   }
-  const double scale = curve_length / length(unit, 0.0, 2.0 * pi);
+  const double scale = curve_length / geometry::length(unit, 0.0, 2.0 * pi);
   return closed_curve([&](double t) -> Eigen::Vector3d { return scale * unit(t); }, vertices);
 }
 
@@ -89,4 +93,4 @@ std::vector<Polyline> borromean_ellipses(double long_axis, double short_axis, in
   return rings;
 }
 
-}  // namespace tencer::geometry
+}  // namespace tencer::curves

@@ -6,7 +6,7 @@
 #include <tencer/geometry/polyline.hpp>
 #include <vector>
 
-namespace tencer::geometry {
+namespace tencer::curves {
 
 // A knot as the closure of a braid (see braid_closure).
 struct KnotBraid {
@@ -20,8 +20,8 @@ struct KnotBraid {
 std::vector<KnotBraid> knot_table();
 
 // The closed braid, pushed apart by its tangent-point energy (see repel) and laid out again at
-// equal arc length along a smooth curve of this length. Takes up to a second. Requires vertices
-// >= 3.
-Polyline knot(const KnotBraid& braid, double length, int vertices);
+// equal arc length along a smooth curve of this length. Takes up to a second. Throws
+// std::invalid_argument unless length > 0 and vertices >= 3, and for what braid_closure refuses.
+geometry::Polyline knot(const KnotBraid& braid, double length, int vertices);
 
-}  // namespace tencer::geometry
+}  // namespace tencer::curves
