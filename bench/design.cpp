@@ -1,17 +1,17 @@
-// Designs for the published models beside the published figures: by force balance with the published
-// max error, with the published number of cables and with two thirds of both; with `dense-springs`
-// as second argument by the paper's route and every optimizer of the build.
+// Designs for the published models beside the published figures: by force balance with the
+// published max error, with the published number of cables and with two thirds of both; with
+// `dense-springs` as second argument by the paper's route and every optimizer of the build.
+//
 // Usage: bench_design FOLDER [dense-springs] [MODEL...]
-#include "published_model.hpp"
-
-#include <tencer/geometry/polyline.hpp>
-#include <tencer/pipeline/design.hpp>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <set>
 #include <string>
+#include <tencer/geometry/polyline.hpp>
+#include <tencer/pipeline/design.hpp>
+
+#include "published_model.hpp"
 
 using namespace tencer;
 

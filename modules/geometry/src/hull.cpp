@@ -1,24 +1,20 @@
-#include <tencer/geometry/hull.hpp>
-
 #include <Eigen/Geometry>
-
 #include <limits>
+#include <tencer/geometry/hull.hpp>
 
 namespace tencer::geometry {
 namespace {
 
 double diagonal(const Eigen::Matrix3Xd& points) {
-  return points.cols() == 0
-             ? 0.0
-             : (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+  return points.cols() == 0 ? 0.0
+                            : (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
 // Takes the plane through `at` with this normal as a face when all corners lie on one side of it,
 // and keeps the point furthest beyond. Returns whether it is a face with the hull's inside behind
 // it.
 bool try_face(const Eigen::Matrix3Xd& corners, const Eigen::Matrix3Xd& points,
-              const Eigen::Vector3d& at, Eigen::Vector3d normal, double tolerance,
-              Outside& worst) {
+              const Eigen::Vector3d& at, Eigen::Vector3d normal, double tolerance, Outside& worst) {
   Eigen::RowVectorXd heights = normal.transpose() * (corners.colwise() - at);
   if (heights.maxCoeff() > tolerance) {
     heights = -heights;
@@ -26,10 +22,8 @@ bool try_face(const Eigen::Matrix3Xd& corners, const Eigen::Matrix3Xd& points,
   }
   if (heights.maxCoeff() > tolerance || heights.minCoeff() >= -tolerance) return false;
   Eigen::Index furthest = 0;
-  const double beyond =
-      (normal.transpose() * (points.colwise() - at)).maxCoeff(&furthest);
-  if (beyond > tolerance && beyond > worst.distance)
-    worst = {static_cast<int>(furthest), beyond};
+  const double beyond = (normal.transpose() * (points.colwise() - at)).maxCoeff(&furthest);
+  if (beyond > tolerance && beyond > worst.distance) worst = {static_cast<int>(furthest), beyond};
   return true;
 }
 
