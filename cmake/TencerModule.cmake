@@ -101,6 +101,7 @@ function(tencer_add_module name)
   # Before 1.0 a minor version may change what is in a header.
   set_target_properties(tencer_${name} PROPERTIES
     EXPORT_NAME ${name}
+    DEFINE_SYMBOL ""
     POSITION_INDEPENDENT_CODE ON
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
