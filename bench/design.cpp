@@ -1,7 +1,8 @@
 // Designs for the published models beside the published figures: by force balance with the
 // published max error, with the published number of cables and with two thirds of both; with
-// `dense-springs` as second argument by the paper's route and every optimizer of the build. Usage:
-// bench_design FOLDER [dense-springs] [MODEL...]
+// `dense-springs` as second argument by the paper's route and every optimizer of the build.
+//
+// Usage: bench_design FOLDER [dense-springs] [MODEL...]
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -1,6 +1,6 @@
-# The install rules: libraries, headers, and a CMake package whose components are the modules.
-# Each module is an export set of its own, so that a consumer loads only the components asked for
-# and finds only the third-party packages these need.
+# The install rules: the program, its pages and examples, libraries, headers, and a CMake package
+# whose components are the modules. Each module is an export set of its own, so that a consumer loads
+# only the components asked for and finds only the third-party packages these need.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/tencer)
@@ -9,7 +9,11 @@ get_property(modules GLOBAL PROPERTY TENCER_MODULES)
 foreach(name IN LISTS modules)
   install(TARGETS tencer_${name} EXPORT tencer_${name}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
     FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  # Shared libraries find each other wherever the prefix is moved to.
+  set_target_properties(tencer_${name} PROPERTIES INSTALL_RPATH $ORIGIN)
   install(EXPORT tencer_${name} NAMESPACE tencer:: DESTINATION ${package_dir}
     FILE tencer-${name}.cmake)
 endforeach()
@@ -24,3 +28,15 @@ install(FILES
   ${PROJECT_BINARY_DIR}/package/tencer-modules.cmake
   DESTINATION ${package_dir})
 install(FILES ${find_modules} DESTINATION ${package_dir}/find)
+
+if(TARGET tencer)
+  cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_LIBDIR BASE_DIRECTORY ${CMAKE_INSTALL_FULL_BINDIR}
+    OUTPUT_VARIABLE from_program_to_libraries)
+  set_target_properties(tencer PROPERTIES INSTALL_RPATH $ORIGIN/${from_program_to_libraries})
+  install(TARGETS tencer RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+# The pages name each other and the examples by the places they have in the sources.
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
+  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/examples
+  DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,37 +1,36 @@
 # Declares the library's modules: one folder, one target, one include root each.
 #
-#   tencer_module(NAME [DEPENDS MODULE...] [OPTIONAL MODULE...] [TESTS MODULE...]
+#   tencer_module(NAME [DEPENDS MODULE...] [PRIVATE MODULE...] [OPTIONAL MODULE...]
 #                 [PACKAGES TARGET...])
 #
-# is all that modules/NAME/CMakeLists.txt holds. The target tencer::NAME is built from src/*.cpp
-# and has the public headers include/tencer/NAME/*.hpp, also those made from *.hpp.in, in which CMake
+# is all that modules/NAME/CMakeLists.txt holds. The target tencer::NAME is built from the sources in
+# src/ and has the public headers in include/tencer/, also those made from *.hpp.in, in which CMake
 # puts values for @VARIABLES@.
-#   DEPENDS   modules it uses, all declared before it in modules/CMakeLists.txt;
-#   OPTIONAL  modules it uses when they are part of the build; its sources then see the macro
-#             TENCER_WITH_MODULE (in capitals) defined;
-#   TESTS     modules declared before it that its tests use and it does not depend on;
+#   DEPENDS   modules that its public headers use: their headers reach its users too;
+#   PRIVATE   modules that only its sources use: its users do not see their headers;
+#   OPTIONAL  modules that only its sources use, when they are part of the build; the sources then
+#             see the macro TENCER_WITH_MODULE (in capitals) defined;
 #   PACKAGES  third-party targets PACKAGE::TARGET that its sources (never its public headers) use,
 #             found with find_package(PACKAGE).
+# All modules named are declared before it in modules/CMakeLists.txt. The test `layering` compares
+# what is named with what is included.
 #
 # A declaration only records. tencer_add_modules() makes the targets once all are known, for it
 # is then that the modules asked for (TENCER_MODULES) and what these depend on can be told from
 # the rest, whose packages need not be installed.
 include_guard(GLOBAL)
-
-add_library(tencer_warnings INTERFACE)
-target_compile_options(tencer_warnings INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-  $<$<BOOL:${TENCER_WERROR}>:-Werror>)
+include(TencerTarget)
 
 # Global properties: TENCER_DECLARED and TENCER_MODULES list the modules declared and built, in
-# layer order; TENCER_<NAME>_<DEPENDS|OPTIONAL|TESTS|PACKAGES|SOURCE_DIR> hold a module's declaration.
+# layer order; TENCER_<NAME>_<DEPENDS|PRIVATE|OPTIONAL|PACKAGES|SOURCE_DIR> hold a module's
+# declaration.
 function(tencer_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;OPTIONAL;TESTS;PACKAGES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;PRIVATE;OPTIONAL;PACKAGES")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "tencer_module(${name}): unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
   get_property(declared GLOBAL PROPERTY TENCER_DECLARED)
-  foreach(dependency IN LISTS arg_DEPENDS arg_TESTS)
+  foreach(dependency IN LISTS arg_DEPENDS arg_PRIVATE)
     if(NOT dependency IN_LIST declared)
       message(FATAL_ERROR
         "module ${name} depends on ${dependency}, which is not declared before it in modules/CMakeLists.txt")
@@ -51,7 +50,7 @@ function(tencer_module name)
     endif()
   endforeach()
   set_property(GLOBAL APPEND PROPERTY TENCER_DECLARED ${name})
-  foreach(part DEPENDS OPTIONAL TESTS PACKAGES)
+  foreach(part DEPENDS PRIVATE OPTIONAL PACKAGES)
     set_property(GLOBAL PROPERTY TENCER_${name}_${part} "${arg_${part}}")
   endforeach()
   set_property(GLOBAL PROPERTY TENCER_${name}_SOURCE_DIR "${CMAKE_CURRENT_SOURCE_DIR}")
@@ -76,11 +75,8 @@ function(tencer_add_modules)
   foreach(name IN LISTS top_down)
     if(name IN_LIST wanted)
       get_property(depends GLOBAL PROPERTY TENCER_${name}_DEPENDS)
-      list(APPEND wanted ${depends})
-      if(TENCER_TESTS)
-        get_property(tests_use GLOBAL PROPERTY TENCER_${name}_TESTS)
-        list(APPEND wanted ${tests_use})
-      endif()
+      get_property(private GLOBAL PROPERTY TENCER_${name}_PRIVATE)
+      list(APPEND wanted ${depends} ${private})
     endif()
   endforeach()
   foreach(name IN LISTS declared)
@@ -91,13 +87,13 @@ function(tencer_add_modules)
 endfunction()
 
 function(tencer_add_module name)
-  foreach(part DEPENDS OPTIONAL PACKAGES SOURCE_DIR)
+  foreach(part DEPENDS PRIVATE OPTIONAL PACKAGES SOURCE_DIR)
     get_property(${part} GLOBAL PROPERTY TENCER_${name}_${part})
   endforeach()
 
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${SOURCE_DIR}/src/*.cpp)
-  file(GLOB headers CONFIGURE_DEPENDS ${SOURCE_DIR}/include/tencer/${name}/*.hpp)
-  file(GLOB templates CONFIGURE_DEPENDS ${SOURCE_DIR}/include/tencer/${name}/*.hpp.in)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${SOURCE_DIR}/include/*.hpp)
+  file(GLOB_RECURSE templates CONFIGURE_DEPENDS ${SOURCE_DIR}/include/*.hpp.in)
   set(roots ${SOURCE_DIR}/include)
   foreach(template IN LISTS templates)
     set(root ${PROJECT_BINARY_DIR}/include/${name})
@@ -107,27 +103,34 @@ function(tencer_add_module name)
     list(APPEND roots ${root})
   endforeach()
   list(REMOVE_DUPLICATES roots)
-  add_library(tencer_${name} STATIC ${sources})
+  add_library(tencer_${name} ${sources})
   add_library(tencer::${name} ALIAS tencer_${name})
   target_sources(tencer_${name} PUBLIC
     FILE_SET HEADERS BASE_DIRS ${roots} FILES ${headers})
   # Private headers are named from src on: "folder/header.hpp".
   target_include_directories(tencer_${name} PRIVATE ${SOURCE_DIR}/src)
   target_compile_features(tencer_${name} PUBLIC cxx_std_20)
+  # Before 1.0 a minor version may change what is in a header.
   set_target_properties(tencer_${name} PROPERTIES
     EXPORT_NAME ${name}
+    DEFINE_SYMBOL ""
     POSITION_INDEPENDENT_CODE ON
-    VERIFY_INTERFACE_HEADER_SETS ${PROJECT_IS_TOP_LEVEL})
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  tencer_precompile(tencer_${name} modules ${TENCER_PRECOMPILED})
   target_link_libraries(tencer_${name}
     PUBLIC Eigen3::Eigen
     PRIVATE $<BUILD_INTERFACE:tencer_warnings>)
   foreach(dependency IN LISTS DEPENDS)
     target_link_libraries(tencer_${name} PUBLIC tencer::${dependency})
   endforeach()
+  foreach(dependency IN LISTS PRIVATE)
+    target_link_libraries(tencer_${name} PRIVATE tencer::${dependency})
+  endforeach()
   foreach(dependency IN LISTS OPTIONAL)
     if(TARGET tencer_${dependency})
       string(TOUPPER ${dependency} macro)
-      target_link_libraries(tencer_${name} PUBLIC tencer::${dependency})
+      target_link_libraries(tencer_${name} PRIVATE tencer::${dependency})
       target_compile_definitions(tencer_${name} PRIVATE TENCER_WITH_${macro})
     endif()
   endforeach()
@@ -140,50 +143,27 @@ function(tencer_add_module name)
 endfunction()
 
 # Writes `file`, which sets for the modules in `list` (the name of a global property) what other
-# tools need to know of the declarations: tencer_modules, and for each tencer_<NAME>_DEPENDS (with
-# the optional ones that are there) and tencer_<NAME>_PACKAGES (package names).
+# tools need to know of the declarations: tencer_modules, and for each tencer_<NAME>_DEPENDS,
+# tencer_<NAME>_PRIVATE (with the optional ones that are there) and tencer_<NAME>_PACKAGES (package
+# names).
 function(tencer_write_manifest list file)
   get_property(modules GLOBAL PROPERTY ${list})
   set(text "set(tencer_modules ${modules})\n")
   foreach(name IN LISTS modules)
-    get_property(depends GLOBAL PROPERTY TENCER_${name}_DEPENDS)
-    get_property(optional GLOBAL PROPERTY TENCER_${name}_OPTIONAL)
-    get_property(packages GLOBAL PROPERTY TENCER_${name}_PACKAGES)
-    foreach(dependency IN LISTS optional)
+    foreach(part DEPENDS PRIVATE OPTIONAL PACKAGES)
+      get_property(${part} GLOBAL PROPERTY TENCER_${name}_${part})
+    endforeach()
+    foreach(dependency IN LISTS OPTIONAL)
       if(dependency IN_LIST modules)
-        list(APPEND depends ${dependency})
+        list(APPEND PRIVATE ${dependency})
       endif()
     endforeach()
-    list(TRANSFORM packages REPLACE "::.*" "")
-    list(REMOVE_DUPLICATES packages)
-    string(APPEND text "set(tencer_${name}_DEPENDS ${depends})\n"
-                       "set(tencer_${name}_PACKAGES ${packages})\n")
+    list(TRANSFORM PACKAGES REPLACE "::.*" "")
+    list(REMOVE_DUPLICATES PACKAGES)
+    foreach(part DEPENDS PRIVATE PACKAGES)
+      string(APPEND text "set(tencer_${name}_${part} ${${part}})\n")
+    endforeach()
   endforeach()
   string(REPLACE ";" " " text "${text}")
   file(CONFIGURE OUTPUT "${file}" CONTENT "${text}" @ONLY)
-endfunction()
-
-# tencer_test(NAME [TARGET...]): tests/NAME/*.cpp as one Catch2 program that links module NAME, if
-# there is one, run
-# by one test a file. (Discovery of single cases by name loses cases whose names hold brackets.)
-function(tencer_test name)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
-  if(NOT sources)
-    return()
-  endif()
-  add_executable(test_${name} ${sources})
-  target_link_libraries(test_${name} PRIVATE tencer_test_main tencer_warnings ${ARGN})
-  if(TARGET tencer::${name})
-    get_property(uses GLOBAL PROPERTY TENCER_${name}_TESTS)
-    list(TRANSFORM uses PREPEND tencer::)
-    target_link_libraries(test_${name} PRIVATE tencer::${name} ${uses})
-  endif()
-  foreach(source IN LISTS sources)
-    file(STRINGS ${source} cases REGEX "TEST_CASE|SCENARIO" LIMIT_COUNT 1)
-    cmake_path(GET source STEM stem)
-    if(cases)
-      add_test(NAME ${name}/${stem}
-        COMMAND test_${name} --filenames-as-tags --warn NoTests "[#${stem}]")
-    endif()
-  endforeach()
 endfunction()

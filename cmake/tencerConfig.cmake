@@ -25,7 +25,7 @@ set(tencer_top_down ${tencer_modules})
 list(REVERSE tencer_top_down)
 foreach(tencer_name IN LISTS tencer_top_down)
   if(tencer_name IN_LIST tencer_wanted)
-    list(APPEND tencer_wanted ${tencer_${tencer_name}_DEPENDS})
+    list(APPEND tencer_wanted ${tencer_${tencer_name}_DEPENDS} ${tencer_${tencer_name}_PRIVATE})
   endif()
 endforeach()
 

@@ -2,14 +2,17 @@
 // ends the program.
 #pragma once
 
+#include <atomic>
+#include <csignal>
 #include <stop_token>
 #include <thread>
 
 namespace tencer::app {
 
+// Takes over SIGINT and SIGTERM while it lives, whichever thread they reach; a signal that the
+// program was started to ignore stays ignored. One at a time.
 class Interrupt {
  public:
-  // Takes over SIGINT and SIGTERM of this thread and those it starts from now on.
   Interrupt();
   ~Interrupt();
   Interrupt(const Interrupt&) = delete;
@@ -19,7 +22,10 @@ class Interrupt {
 
  private:
   std::stop_source source_;
-  std::jthread listener_;
+  std::atomic<bool> over_ = false;
+  struct sigaction before_int_ = {};
+  struct sigaction before_term_ = {};
+  std::thread listener_;
 };
 
 }  // namespace tencer::app

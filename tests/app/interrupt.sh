@@ -1,9 +1,17 @@
-# Starts a design, interrupts it after its first line on stderr and ends with its exit code.
+# interrupt.sh PROGRAM SIGNAL... : starts a design, sends it the first signal after its first line on
+# stderr and any others while it is still there, and ends with its exit code.
+program=$1
+shift
 set -m # jobs of a script without job control ignore SIGINT
 exec 3>&1
-exec 4< <(exec "$1" design knot.obj -o out 2>&1 >&3)
-program=$!
+exec 4< <(LD_PRELOAD="$PRELOAD" exec "$program" design knot.obj -o out 2>&1 >&3)
+process=$!
 read -r first <&4
-kill -INT "$program"
+kill "-$1" "$process"
+shift
+for signal in "$@"; do
+  sleep 1
+  kill "-$signal" "$process"
+done
 cat <&4 >/dev/null
-wait "$program"
+wait "$process"

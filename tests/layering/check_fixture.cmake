@@ -9,7 +9,7 @@ execute_process(
 if(status EQUAL 0)
   message(FATAL_ERROR "the fixture's violations were not reported")
 endif()
-string(REGEX MATCHALL "\n +[a-z_/]+\\.[ch]pp:[^\n]*" found "${output}")
+string(REGEX MATCHALL "\n +[a-zA-Z_/]+\\.([ch]pp|txt):[^\n]*" found "${output}")
 list(TRANSFORM found STRIP)
 file(STRINGS ${fixture}/expected.txt expected)
 if(NOT found STREQUAL expected)

@@ -1,0 +1,61 @@
+# tencer_check_headers() makes the target public_headers, which compiles every public header of the
+# modules on its own. That proves that each header includes what it uses, and that its module names
+# in DEPENDS whose headers it includes.
+#
+# Most of that time would go into reading Eigen, so the headers that include Eigen/Core, themselves
+# or through another header of ours, read it compiled. The proof is the same: they are given it
+# anyway, and the headers they get it through are compiled on their own too. All others are compiled
+# without. Which is which is told at configuration.
+include_guard(GLOBAL)
+
+function(tencer_check_headers)
+  add_custom_target(public_headers)
+  get_property(modules GLOBAL PROPERTY TENCER_MODULES)
+  foreach(module IN LISTS modules)
+    get_property(folder GLOBAL PROPERTY TENCER_${module}_SOURCE_DIR)
+    get_target_property(headers tencer_${module} HEADER_SET)
+    set(sources "")
+    set(any_eigen FALSE)
+    foreach(header IN LISTS headers)
+      cmake_path(RELATIVE_PATH header BASE_DIRECTORY ${folder}/include OUTPUT_VARIABLE name)
+      set(source ${PROJECT_BINARY_DIR}/public_headers/${name}.cpp)
+      file(CONFIGURE OUTPUT ${source} CONTENT "#include <${name}>\n")
+      tencer_includes_eigen(${header} eigen)
+      if(eigen)
+        set(any_eigen TRUE)
+      else()
+        set_source_files_properties(${source} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+      endif()
+      list(APPEND sources ${source})
+    endforeach()
+    add_library(headers_${module} OBJECT EXCLUDE_FROM_ALL ${sources})
+    target_link_libraries(headers_${module} PRIVATE tencer::${module} tencer_warnings)
+    if(any_eigen)
+      tencer_precompile(headers_${module} headers <Eigen/Core>)
+    endif()
+    add_dependencies(public_headers headers_${module})
+  endforeach()
+endfunction()
+
+# Whether `header` includes Eigen/Core or another part of Eigen, all of which include that first.
+function(tencer_includes_eigen header result)
+  get_property(known GLOBAL PROPERTY TENCER_EIGEN_${header} SET)
+  if(NOT known)
+    set(eigen FALSE)
+    file(STRINGS ${header} lines REGEX "^#include <(Eigen|tencer)/")
+    foreach(line IN LISTS lines)
+      if(line MATCHES "<Eigen/")
+        set(eigen TRUE)
+      elseif(line MATCHES "<(tencer/([^/]+)/[^>]+)>")
+        get_property(folder GLOBAL PROPERTY TENCER_${CMAKE_MATCH_2}_SOURCE_DIR)
+        tencer_includes_eigen(${folder}/include/${CMAKE_MATCH_1} through)
+        if(through)
+          set(eigen TRUE)
+        endif()
+      endif()
+    endforeach()
+    set_property(GLOBAL PROPERTY TENCER_EIGEN_${header} ${eigen})
+  endif()
+  get_property(eigen GLOBAL PROPERTY TENCER_EIGEN_${header})
+  set(${result} ${eigen} PARENT_SCOPE)
+endfunction()
