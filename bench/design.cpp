@@ -1,13 +1,15 @@
 // Designs for the published models beside the published figures: by force balance with the
-// published max error, with the published number of cables and with two thirds of both; with
-// `dense-springs` as second argument by the paper's route and every optimizer of the build.
+// published max error, with the published number of cables and with two thirds of both. As second
+// argument, `optimizers` lets each optimizer of the build make the last fit, and `dense-springs`
+// takes the paper's route with each.
 //
-// Usage: bench_design FOLDER [dense-springs] [MODEL...]
+// Usage: bench_design FOLDER [optimizers|dense-springs] [MODEL...]
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <set>
 #include <string>
+#include <string_view>
 #include <tencer/geometry/polyline.hpp>
 #include <tencer/pipeline/design.hpp>
 
@@ -69,10 +71,10 @@ void print_design(const bench::PublishedModel& model, const model::Scene& scene,
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!design) {
-    std::printf("%-21s %-12s %s\n", model.name.c_str(), question, design.error().text().c_str());
+    std::printf("%-21s %-20s %s\n", model.name.c_str(), question, design.error().text().c_str());
     return;
   }
-  std::printf("%-21s %-12s %6zu %6d %8.3f %8.3f %7s %9.3g %7s %9.2f  %s\n", model.name.c_str(),
+  std::printf("%-21s %-20s %6zu %6d %8.3f %8.3f %7s %9.3g %7s %9.2f  %s\n", model.name.c_str(),
               question, design->built.size(), model.cables, design->error->max_percent,
               model.max_error_percent, design->certificate->stable ? "yes" : "no",
               design->certificate->smallest_eigenvalue,
@@ -81,33 +83,45 @@ void print_design(const bench::PublishedModel& model, const model::Scene& scene,
   std::fflush(stdout);
 }
 
+// The same question, answered with each optimizer of the build.
+void print_optimizers(const bench::PublishedModel& model, model::Scene scene,
+                      const char* question) {
+  for (const auto& backend : pipeline::backends()) {
+    scene.design.optimizer = *model::named<model::Optimizer>(backend.name);
+    print_design(model, scene, (std::string(question) + backend.name).c_str());
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fprintf(stderr, "usage: bench_design FOLDER [dense-springs] [MODEL...]\n");
+    std::fprintf(stderr, "usage: bench_design FOLDER [optimizers|dense-springs] [MODEL...]\n");
     return 2;
   }
-  const bool dense = argc > 2 && std::string(argv[2]) == "dense-springs";
-  const std::set<std::string> wanted(argv + (dense ? 3 : 2), argv + argc);
-  std::printf("%-21s %-12s %6s %6s %8s %8s %7s %9s %7s %9s  %s\n", "model", "asked for", "cables",
+  const std::string_view second = argc > 2 ? argv[2] : "";
+  const bool optimizers = second == "optimizers";
+  const bool dense = second == "dense-springs";
+  const std::set<std::string> wanted(argv + (optimizers || dense ? 3 : 2), argv + argc);
+  std::printf("%-21s %-20s %6s %6s %8s %8s %7s %9s %7s %9s  %s\n", "model", "asked for", "cables",
               "publ.", "max %", "publ.", "stands", "lambda", "settles", "seconds", "by stage");
   for (const auto& model : bench::read_published_models(argv[1])) {
     if (!wanted.empty() && !wanted.contains(model.name)) continue;
     model::Scene scene = scene_of(model);
     if (dense) {
       scene.design.method = model::Method::dense_springs;
-      for (const auto& backend : pipeline::backends()) {
-        scene.design.optimizer = *model::named<model::Optimizer>(backend.name);
-        print_design(model, scene, backend.name.c_str());
-      }
-      continue;
+      print_optimizers(model, scene, "");
+    } else if (optimizers) {
+      print_optimizers(model, scene, "max error ");
+      scene.design.cables = model.cables;
+      print_optimizers(model, scene, "cables ");
+    } else {
+      print_design(model, scene, "max error");
+      scene.design.cables = model.cables;
+      print_design(model, scene, "cables");
+      scene.design.cables = 2 * model.cables / 3;
+      scene.design.max_error = model.max_error_percent * 2 / 3;
+      print_design(model, scene, "two thirds");
     }
-    print_design(model, scene, "max error");
-    scene.design.cables = model.cables;
-    print_design(model, scene, "cables");
-    scene.design.cables = 2 * model.cables / 3;
-    scene.design.max_error = model.max_error_percent * 2 / 3;
-    print_design(model, scene, "two thirds");
   }
 }

@@ -11,8 +11,8 @@
 #include <cstdio>
 #include <functional>
 #include <string>
-#include <tencer/equilibrium/solve.hpp>
 #include <tencer/curves/analytic.hpp>
+#include <tencer/equilibrium/solve.hpp>
 #include <tencer/geometry/frame.hpp>
 #include <tencer/ground_structure/force_balance.hpp>
 #include <tencer/model/scene.hpp>

@@ -16,9 +16,10 @@
 #include <cstdlib>
 #include <ctime>
 #include <numbers>
+#include <stdexcept>
 #include <string_view>
-#include <tencer/equilibrium/solve.hpp>
 #include <tencer/curves/analytic.hpp>
+#include <tencer/equilibrium/solve.hpp>
 #include <tencer/pipeline/design.hpp>
 #include <tencer/pipeline/design_state.hpp>
 #include <vector>
@@ -67,7 +68,7 @@ Factorisation factorisation(equilibrium::Linearisation& at) {
   Factorisation result{.seconds = 1e300};
   for (int k = 0; k < 9; ++k) {
     const double begin = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
-    at.factor.factorise(at.matrix);
+    if (!at.factor.factorise(at.matrix)) throw std::runtime_error("not positive definite");
     result.seconds = std::min(result.seconds, cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - begin);
   }
   const auto cost = at.factor.cost();

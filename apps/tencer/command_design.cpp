@@ -79,9 +79,10 @@ std::optional<core::Error> apply_optimizer(const DesignRequest& request,
   }
   if (request.hessian) {
     settings.hessian = *request.hessian;
-    if (const auto problem = model::hessian_problem(settings))
-      return core::Error{"--hessian", *problem};
-  } else if (request.optimizer && model::hessian_problem(settings)) {
+    for (const auto& problem : {model::hessian_problem(settings.optimizer, settings.hessian),
+                                model::hessian_problem(settings.method, settings.hessian)})
+      if (problem) return core::Error{"--hessian", *problem};
+  } else if (request.optimizer && model::hessian_problem(settings.optimizer, settings.hessian)) {
     settings.hessian = model::DesignSettings{}.hessian;  // the scene's was for another optimizer
   }
   return std::nullopt;
@@ -93,8 +94,8 @@ std::optional<core::Error> apply(const DesignRequest& request, model::DesignSett
     return core::Error{"--cables",
                        "--trade-off designs every number of cables; drop --cables for "
                        "all of them, or --trade-off for this one"};
-  if (const auto error = apply_optimizer(request, settings)) return error;
   if (request.method) settings.method = *request.method;
+  if (const auto error = apply_optimizer(request, settings)) return error;
   // Else the scene's number of cables would decide.
   if (request.max_error || request.trade_off) settings.cables.reset();
   if (request.max_error) settings.max_error = *request.max_error;

@@ -34,12 +34,10 @@ std::string trade_off_csv(std::span<const model::Design> designs) {
   std::string text = "cables,max_percent,rms_percent,smallest_eigenvalue,stands,settles\n";
   for (const auto& design : designs) {
     const model::Certificate& certificate = *design.certificate;
-    text += io::csv_line(std::array{std::to_string(design.structure.cables.size()),
-                                    io::to_text(design.error->max_percent),
-                                    io::to_text(design.error->rms_percent),
-                                    io::to_text(certificate.smallest_eigenvalue),
-                                    yes(certificate.stable),
-                                    yes(*certificate.settles_from_target)});
+    text += io::csv_line(std::array{
+        std::to_string(design.structure.cables.size()), io::to_text(design.error->max_percent),
+        io::to_text(design.error->rms_percent), io::to_text(certificate.smallest_eigenvalue),
+        yes(certificate.stable), yes(*certificate.settles_from_target)});
   }
   return text;
 }

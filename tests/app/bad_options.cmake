@@ -18,7 +18,7 @@ foreach(value 0 -1 nan inf small)
   refused("--tolerance: " "expected a positive number, found ${value}"
     simulate design.json --tolerance ${value})
 endforeach()
-refused("--optimizer: " "this build has: " design ring.obj -o out --optimizer snopt)
+refused("--optimizer: " "gauss-newton," design ring.obj -o out --optimizer snopt)
 refused("--hessian: " "limited-memory,gauss-newton,exact" design ring.obj -o out --hessian full)
 refused("--from: " "pose" simulate design.json --from here)
 refused("--cables: " "inextensible" simulate design.json --cables ropes)
@@ -41,11 +41,7 @@ refused("--symmetry: " "none,offer,detect" design ring.obj -o out --symmetry som
 
 # Options that do not go together.
 refused("--cables: " "drop --cables" design ring.obj -o out --trade-off --cables 5)
-refused("--optimizer: " "add --method dense-springs"
-  design ring.obj -o out --optimizer gauss-newton)
-refused("--hessian: " "add --method dense-springs" design ring.obj -o out --hessian exact)
-refused("--hessian: " "is of no use to the method force-balance"
-  design ring.obj -o out --method force-balance --hessian exact)
+refused("--hessian: " "belong to the method dense-springs" design ring.obj -o out --hessian exact)
 refused("--symmetry: " "use none, or --method force-balance"
   design ring.obj -o out --method dense-springs --symmetry detect)
 

@@ -16,7 +16,7 @@ TEST_CASE("balanced tensions are nonnegative, and no other tension would bring t
   const auto moved = ground_structure::displacements(system, problem.start, orbits);
   REQUIRE(found);
   REQUIRE(moved);
-  REQUIRE(found->converged);
+  REQUIRE(found->converged());
   REQUIRE_FALSE(found->set.empty());
   CHECK(found->values.minCoeff() > 0);
   Eigen::VectorXd rest = moved->goal;

@@ -33,7 +33,7 @@ std::map<std::string, std::string> documented() {
   return defaults;
 }
 
-std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
+std::string in_quotes(std::string_view text) { return '"' + std::string(text) + '"'; }
 
 std::string number(double value) {
   std::ostringstream text;
@@ -48,14 +48,14 @@ TEST_CASE("the page of the scene file has the defaults of the code") {
   REQUIRE(page.size() > 20);
   const model::Scene scene;
   const model::DesignSettings& settings = scene.design;
-  CHECK(page.at("length_unit") == quoted(scene.length_unit));
-  CHECK(page.at("force_unit") == quoted(scene.force_unit));
+  CHECK(page.at("length_unit") == in_quotes(scene.length_unit));
+  CHECK(page.at("force_unit") == in_quotes(scene.force_unit));
   CHECK(page.at("planar") == (scene.structure.planar ? "true" : "false"));
-  CHECK(page.at("method") == quoted(model::name_of(settings.method)));
-  CHECK(page.at("optimizer") == quoted(model::name_of(settings.optimizer)));
-  CHECK(page.at("hessian") == quoted(model::name_of(settings.hessian)));
-  CHECK(page.at("objective") == quoted(model::name_of(settings.objective)));
-  CHECK(page.at("symmetry") == quoted(model::name_of(settings.symmetry)));
+  CHECK(page.at("method") == in_quotes(model::name_of(settings.method)));
+  CHECK(page.at("optimizer") == in_quotes(model::name_of(settings.optimizer)));
+  CHECK(page.at("hessian") == in_quotes(model::name_of(settings.hessian)));
+  CHECK(page.at("objective") == in_quotes(model::name_of(settings.objective)));
+  CHECK(page.at("symmetry") == in_quotes(model::name_of(settings.symmetry)));
   CHECK(page.at("max_error") == number(settings.max_error));
   CHECK(page.at("cables") == (settings.cables ? number(*settings.cables) : "none"));
   CHECK(page.at("external") == (scene.rules.external ? "true" : "false"));

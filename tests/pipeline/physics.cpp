@@ -2,9 +2,9 @@
 // what the rods do.
 #include <numbers>
 #include <sstream>
+#include <tencer/curves/families.hpp>
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/equilibrium/stability.hpp>
-#include <tencer/curves/families.hpp>
 #include <tencer/model/frames.hpp>
 #include <tencer/pipeline/prepare.hpp>
 #include <tencer/pipeline/simulate.hpp>

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <tencer/geometry/arc_length.hpp>
 #include <tencer/curves/analytic.hpp>
+#include <tencer/geometry/arc_length.hpp>
 #include <tencer/io/design.hpp>
 #include <tencer/io/scene.hpp>
 #include <tencer/pipeline/design.hpp>

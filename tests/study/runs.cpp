@@ -34,7 +34,8 @@ struct Folder {
 TEST_CASE("runs are all combinations that make sense") {
   const auto runs = runs_of({.scenes = {"a/one.toml", "two.obj"},
                              .methods = {"force-balance", "dense-springs"},
-                             .optimizers = {"ipopt", "mma"},
+                             .force_balance = {"gauss-newton"},
+                             .dense_springs = {"ipopt", "mma"},
                              .resolutions = {0.5, 1}});
   REQUIRE(runs);
   CHECK(runs->size() == 2 * (1 + 2) * 2);

@@ -105,15 +105,10 @@ std::optional<Row> make(const Run& run, const fs::path& folder, double limit,
                         const std::stop_token& stop) {
   fs::create_directories(runs_folder(folder));
   const fs::path log = log_of(folder, run);
-  std::vector<std::string> arguments{"design",
-                                     "--output",
-                                     design_of(folder, run).parent_path().string(),
-                                     "--method",
-                                     run.method,
-                                     "--optimizer",
-                                     run.optimizer,
-                                     "--resolution",
-                                     short_text(run.resolution)};
+  std::vector<std::string> arguments{
+      "design",      "--output",     design_of(folder, run).parent_path().string(),
+      "--method",    run.method,     "--optimizer",
+      run.optimizer, "--resolution", short_text(run.resolution)};
   arguments.push_back("--");
   arguments.push_back(run.file);
   const ChildEnd end =

@@ -64,8 +64,8 @@ void add(std::vector<PinCable>& cables, const PinCable& cable,
 }
 
 // By rod and vertex; several pins of a vertex hold it together.
-std::map<std::pair<int, int>, Eigen::Vector3d> forces_on_vertices(
-    const model::Structure& structure, const model::State& state) {
+std::map<std::pair<int, int>, Eigen::Vector3d> forces_on_vertices(const model::Structure& structure,
+                                                                  const model::State& state) {
   const Eigen::Matrix3Xd forces = pin_forces(structure, state);
   std::map<std::pair<int, int>, Eigen::Vector3d> result;
   for (std::size_t p = 0; p < structure.pins.size(); ++p) {
@@ -97,8 +97,8 @@ std::vector<PinCable> pin_cables(const network::Network& pinned, const symmetry:
     const bool known = std::ranges::any_of(
         done, [&](const springs::OnRod& other) { return same_place(place, other, rods); });
     if (known || force.norm() <= negligible * typical) continue;
-    const AnchorPull held =
-        anchor_pull(pinned.state[rod].x.col(vertex), force, structure.anchors, structure.planar, max_length);
+    const AnchorPull held = anchor_pull(pinned.state[rod].x.col(vertex), force, structure.anchors,
+                                        structure.planar, max_length);
     const auto image_of = [&](const symmetry::Operation& operation) {
       return std::get<springs::OnRod>(symmetry::image(operation, springs::End{place}, rods));
     };
@@ -119,8 +119,7 @@ std::vector<PinCable> pin_cables(const network::Network& pinned, const symmetry:
 
 }  // namespace
 
-Eigen::Matrix3Xd pin_forces(const model::Structure& structure,
-                           const model::State& state) {
+Eigen::Matrix3Xd pin_forces(const model::Structure& structure, const model::State& state) {
   model::Structure released = structure;
   released.pins.clear();
   const equilibrium::System system(released);
@@ -137,7 +136,7 @@ Eigen::Matrix3Xd pin_forces(const model::Structure& structure,
 }
 
 AnchorPull anchor_pull(const Eigen::Vector3d& point, const Eigen::Vector3d& force,
-          const Eigen::Matrix3Xd& anchors, bool planar, double max_length) {
+                       const Eigen::Matrix3Xd& anchors, bool planar, double max_length) {
   if (force.isZero(0)) return {};
   const int dimension = planar ? 2 : 3;
   const Eigen::Matrix3Xd spans = anchors.colwise() - point;

@@ -41,11 +41,8 @@ core::Expected<Task> begin(const model::Scene& scene, const RunOptions& options)
     if (!backend) return core::Error{scene.source, "design.optimizer: " + backend.error().message};
     task.backend = std::move(*backend);
   }
-  if (settings.method == model::Method::force_balance &&
-      settings.hessian == model::SecondDerivatives::exact)
-    return core::Error{scene.source,
-                       "design.hessian: exact second derivatives belong to the method "
-                       "dense-springs; for force-balance use gauss-newton or limited-memory"};
+  if (const auto wrong = model::hessian_problem(settings.method, settings.hessian))
+    return core::Error{scene.source, "design.hessian: " + *wrong};
   auto prepared = prepare(scene);
   if (!prepared) return prepared.error();
   task.prepared = std::move(*prepared);

@@ -34,7 +34,8 @@ void apply(const DesignOptions& options, model::DesignSettings& settings) {
   take(options.optimizer, settings.optimizer);
   take(options.hessian, settings.hessian);
   // The scene's may be for another optimizer.
-  if (options.optimizer && !options.hessian && model::hessian_problem(settings))
+  if (options.optimizer && !options.hessian &&
+      model::hessian_problem(settings.optimizer, settings.hessian))
     settings.hessian = model::DesignSettings{}.hessian;
   take(options.objective, settings.objective);
   take(options.symmetry, settings.symmetry);
@@ -70,7 +71,8 @@ std::optional<std::string> DesignOptions::problem() const {
   model::DesignSettings settings;
   apply(*this, settings);
   if (hessian && optimizer)
-    if (const auto wrong = model::hessian_problem(settings)) return "hessian: " + *wrong;
+    if (const auto wrong = model::hessian_problem(settings.optimizer, settings.hessian))
+      return "hessian: " + *wrong;
   return settings.problem();
 }
 
@@ -82,7 +84,7 @@ core::Expected<model::Scene> with_options(model::Scene scene, const DesignOption
   if (const auto wrong = options.problem()) return core::Error{"DesignOptions", *wrong};
   apply(options, scene.design);
   if (options.hessian)
-    if (const auto wrong = model::hessian_problem(scene.design))
+    if (const auto wrong = model::hessian_problem(scene.design.optimizer, scene.design.hessian))
       return core::Error{"DesignOptions", "hessian: " + *wrong};
   if (options.section)
     for (auto& rod : scene.structure.rods) rod.section = *options.section;

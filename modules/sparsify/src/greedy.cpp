@@ -2,7 +2,6 @@
 #include <cmath>
 #include <tencer/core/error.hpp>
 #include <tencer/network/stage_recorder.hpp>
-#include <tencer/network/stage_recorder.hpp>
 #include <tencer/sensitivity/distance.hpp>
 #include <tencer/sparsify/greedy.hpp>
 

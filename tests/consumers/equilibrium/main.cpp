@@ -17,8 +17,7 @@ int main() {
                 .section = tencer::der::solid_circle(1e9, 0.3, 1e-2),
                 .rest_lengths = Eigen::VectorXd::Constant(n, 0.1)}}};
   const tencer::equilibrium::System system(structure);
-  const auto result =
-      tencer::equilibrium::solve(system, tencer::model::make_state(structure, {x}));
+  const auto result = tencer::equilibrium::solve(system, tencer::model::make_state(structure, {x}));
 
   const Eigen::Matrix3Xd& ring = result.state[0].x;
   const Eigen::RowVectorXd radii = (ring.colwise() - ring.rowwise().mean()).colwise().norm();

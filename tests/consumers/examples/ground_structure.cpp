@@ -15,7 +15,7 @@ int main() {
   problem.candidates =
       ground_structure::candidates(problem.structure, problem.target.points, {}).value();
   const auto result = ground_structure::force_balance(problem, nullptr);
-  std::cout << problem.candidates.size() << " candidates, "
-            << network::cable_count(result.network) << " cables hold the ellipse\n";
+  std::cout << problem.candidates.size() << " candidates, " << network::cable_count(result.network)
+            << " cables hold the ellipse\n";
   return result.valid() ? 0 : 1;
 }

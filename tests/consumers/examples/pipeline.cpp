@@ -9,6 +9,7 @@ int main(int count, char** arguments) {
   if (!design) return std::cerr << design.error().text() << '\n', 2;
   std::cout << design->full_report();
   for (std::size_t i = 0; i < design->built.size(); ++i)
-    std::cout << describe(design->structure.cables[i]) << ": " << design->built[i].length << " cm\n";
+    std::cout << describe(design->structure.cables[i]) << ": " << design->built[i].length
+              << " cm\n";
   return design->complete() ? 0 : 3;
 }

@@ -10,8 +10,8 @@ int main() {
     curve.points.col(i) << std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t),
         -std::sin(3 * t);
   }
-  const symmetry::Figure figure{
-      .curves = {curve}, .rods = {{geometry::edge_lengths(curve), curve.closed}}};
+  const symmetry::Figure figure{.curves = {curve},
+                                .rods = {{geometry::edge_lengths(curve), curve.closed}}};
   std::cout << symmetry::detect(figure).group.order() << " operations\n";
   return symmetry::detect(figure).group.order() == 6 ? 0 : 1;
 }

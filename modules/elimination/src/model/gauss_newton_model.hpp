@@ -54,8 +54,8 @@ class GaussNewtonModel {
     double value = 0.0;  // how much lower the objective would be, all other variables refitted
     double at = 0.0;     // the new variable's best value
   };
-  // What one variable more would bring, in which the residual's rates are residual_rates (3 per vertex). Zeros
-  // when the variable would have to be negative.
+  // What one variable more would bring, in which the residual's rates are residual_rates (3 per
+  // vertex). Zeros when the variable would have to be negative.
   Gain gain(const Eigen::VectorXd& residual_rates) const;
 
  private:

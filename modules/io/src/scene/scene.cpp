@@ -196,7 +196,8 @@ void read_optimizer(const TomlTable& design, model::DesignSettings& settings) {
   choose(design, "optimizer", settings.optimizer);
   choose(design, "hessian", settings.hessian);
   if (design.has("hessian"))
-    if (const auto problem = model::hessian_problem(settings)) design.fail("hessian", *problem);
+    if (const auto problem = model::hessian_problem(settings.optimizer, settings.hessian))
+      design.fail("hessian", *problem);
 }
 
 void read_hand_over(const TomlTable& design, Scene& scene) {

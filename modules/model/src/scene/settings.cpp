@@ -50,13 +50,19 @@ std::span<const Named<SymmetryUse>> names<SymmetryUse>() {
   return all;
 }
 
-std::optional<std::string> hessian_problem(const DesignSettings& settings) {
-  const auto [optimizer, hessian] = std::pair(settings.optimizer, settings.hessian);
+std::optional<std::string> hessian_problem(Optimizer optimizer, SecondDerivatives hessian) {
   if (optimizer == Optimizer::gauss_newton && hessian == SecondDerivatives::limited_memory)
     return "limited-memory is for ipopt; for gauss-newton use gauss-newton or exact";
   if (optimizer != Optimizer::gauss_newton && optimizer != Optimizer::ipopt)
     return "belongs to the optimizer ipopt or gauss-newton; " + std::string(name_of(optimizer)) +
            " uses gradients only";
+  return std::nullopt;
+}
+
+std::optional<std::string> hessian_problem(Method method, SecondDerivatives hessian) {
+  if (method == Method::force_balance && hessian == SecondDerivatives::exact)
+    return "exact second derivatives belong to the method dense-springs; for force-balance use "
+           "gauss-newton or limited-memory";
   return std::nullopt;
 }
 

@@ -18,8 +18,8 @@ struct Problem {
   model::Target target{};
   model::Rules rules{};
   std::vector<springs::Cable> candidates{};  // as candidates() gives them
-  // A group that structure, target, rules and candidates have and that networks have to keep: cables
-  // then come and go in orbits.
+  // A group that structure, target, rules and candidates have and that networks have to keep:
+  // cables then come and go in orbits.
   std::optional<symmetry::Group> symmetry{};
 
   network::Network bare() const { return {structure, start}; }

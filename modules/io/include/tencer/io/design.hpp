@@ -1,10 +1,10 @@
 // The design file, design.json, schema "tencer-design/1": a designed structure and what is known of
 // it, in the file's own units.
 //
-// In the file a matrix of points is an array of n triples; a cable's end is {"rod", "s"} (arc length
-// at rest, in [0, length of the rod]) or {"anchor"}; length and tension are those of the
-// inextensible cable at the pose, and a cable that can be simulated as a spring also has a stiffness
-// (force per length) and a rest length, both or neither.
+// In the file a matrix of points is an array of n triples; a cable's end is {"rod", "s"} (arc
+// length at rest, in [0, length of the rod]) or {"anchor"}; length and tension are those of the
+// inextensible cable at the pose, and a cable that can be simulated as a spring also has a
+// stiffness (force per length) and a rest length, both or neither.
 #pragma once
 
 #include <filesystem>

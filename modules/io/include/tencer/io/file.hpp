@@ -15,9 +15,9 @@ core::Expected<std::string> read_file(const std::filesystem::path& path);
 
 // Puts the text in a temporary file in the same folder, closes it and renames it over `path`, so
 // that whatever becomes of the program, the path holds the old content or the new one. (A crash of
-// the machine may still lose both: nothing waits for the disk.) An Error when that was not possible;
-// the old file is then untouched and the temporary one gone. A device or pipe is written to as it
-// is.
+// the machine may still lose both: nothing waits for the disk.) An Error when that was not
+// possible; the old file is then untouched and the temporary one gone. A device or pipe is written
+// to as it is.
 std::optional<core::Error> write_file(const std::filesystem::path& path, std::string_view text);
 
 struct NamedText {

@@ -10,8 +10,8 @@ inline constexpr const char* eigenvalue_unit = "max EI / L^4, one unit of mass p
 
 struct Certificate {
   double residual = 0.0;  // imbalance of forces, relative to the rods' internal force
-  // The smallest eigenvalue of the Hessian of the Lagrangian on the motions that keep the lengths of
-  // taut cables and are not rigid, in eigenvalue_unit.
+  // The smallest eigenvalue of the Hessian of the Lagrangian on the motions that keep the lengths
+  // of taut cables and are not rigid, in eigenvalue_unit.
   double smallest_eigenvalue = 0.0;
   int slack_cables = 0;
   // Components of rods that are free to move against each other at no cost; 0 when there are none.

@@ -45,7 +45,7 @@ struct Design {
   std::optional<DesignError> error = std::nullopt;  // not set in a design that nobody solved yet
   std::optional<Certificate> certificate = std::nullopt;  // likewise
   std::vector<StageRow> trace{};                          // error against run time
-  std::optional<Goal> goal = std::nullopt;  // what was asked for; not in design files
+  std::optional<Goal> goal = std::nullopt;                // what was asked for; not in design files
 
   bool complete() const { return status == DesignStatus::complete; }
 

@@ -19,8 +19,8 @@ struct RestShape {
 // Bends `rod` at rest so; its rest lengths stay.
 void set_rest_shape(const RestShape& shape, der::Rod& rod);
 
-// Bends and twists `rod` at rest as `from` is at the same fractions of the length: the curvature per
-// length, linear between the vertices of `from`, so that equal fractions give equal bends.
+// Bends and twists `rod` at rest as `from` is at the same fractions of the length: the curvature
+// per length, linear between the vertices of `from`, so that equal fractions give equal bends.
 void copy_rest_shape(const der::Rod& from, der::Rod& rod);
 
 }  // namespace tencer::model

@@ -33,8 +33,8 @@ struct Scene {
 geometry::Polyline target_curve(const Scene& scene, std::size_t rod);
 std::vector<geometry::Polyline> target_curves(const Scene& scene);
 
-// Adds a rod with `curve` as its target: straight at rest, weights of 1, no director. Its section is
-// for the caller to set.
+// Adds a rod with `curve` as its target: straight at rest, weights of 1, no director. Its section
+// is for the caller to set.
 void add_rod(Scene& scene, const geometry::Polyline& curve);
 
 // Two vertices of the targets that coincide, in words, so that a cable between them would have no
@@ -48,8 +48,8 @@ double default_radius(const std::vector<geometry::Polyline>& curves);
 // cm, m; mN, N, kN. Throws std::invalid_argument for others.
 double glass_fibre_modulus(const std::string& length_unit, const std::string& force_unit);
 
-// The scene of bare curves with every default: round glass fibre, a thousandth of the longest rod in
-// radius. Lengths are in length_unit.
+// The scene of bare curves with every default: round glass fibre, a thousandth of the longest rod
+// in radius. Lengths are in length_unit.
 Scene scene_of(const std::vector<geometry::Polyline>& curves, std::string name = "curves",
                std::string length_unit = "cm", std::string force_unit = "N");
 

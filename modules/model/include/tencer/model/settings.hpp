@@ -70,8 +70,9 @@ struct DesignSettings {
   std::optional<std::string> problem() const;
 };
 
-// Why these second derivatives cannot go with the optimizer; not set when they can.
-std::optional<std::string> hessian_problem(const DesignSettings& settings);
+// Why these second derivatives cannot go with the optimizer, or the method; not set when they can.
+std::optional<std::string> hessian_problem(Optimizer optimizer, SecondDerivatives hessian);
+std::optional<std::string> hessian_problem(Method method, SecondDerivatives hessian);
 
 template <class Enum>
 std::string_view name_of(Enum value) {

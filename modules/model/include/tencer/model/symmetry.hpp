@@ -7,8 +7,8 @@
 
 namespace tencer::model {
 
-// By 1 / fold of a turn about the line through `point` along `axis`; fold >= 2, axis of any length >
-// 0. point not set, here and below: the rods' centroid, which every symmetry keeps.
+// By 1 / fold of a turn about the line through `point` along `axis`; fold >= 2, axis of any length
+// > 0. point not set, here and below: the rods' centroid, which every symmetry keeps.
 struct Rotation {
   int fold = 2;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
