@@ -129,6 +129,15 @@ TEST_CASE("springs need a stiffness in the file") {
   CHECK(pipeline::simulate(design));
 }
 
+TEST_CASE("a cable whose ends meet is named") {
+  model::Design design = designed(ellipse_scene());
+  REQUIRE_FALSE(design.structure.cables.empty());
+  design.structure.cables[0].b = design.structure.cables[0].a;
+  const auto simulation = pipeline::simulate(design);
+  REQUIRE_FALSE(simulation);
+  CHECK(simulation.error().where == "cables[0]");
+}
+
 TEST_CASE("a simulation that cannot come to rest says so in its design") {
   const model::Design design = designed(ellipse_scene());
   pipeline::SimulateOptions options{.start = pipeline::Start::target};

@@ -118,6 +118,12 @@ TEST_CASE("an optimizer that was left out is named, with those that are there") 
   for (const auto& backend : options.backends) CHECK_THAT(error, Contains(backend.name));
 }
 
+TEST_CASE("an optimizer that is not used need not be there") {
+  pipeline::RunOptions options;
+  options.backends.clear();
+  CHECK(pipeline::design(ellipse_scene(12), options));
+}
+
 TEST_CASE("anchors must enclose the target") {
   model::Scene scene = helix_scene();
   SECTION("around something else") {

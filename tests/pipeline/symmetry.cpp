@@ -122,6 +122,13 @@ TEST_CASE("a symmetry that the target lacks is refused with its misfit") {
              Contains("the reflection with normal (0, 0, 1)"));
 }
 
+TEST_CASE("a symmetry of the curves alone is said not to be one of the scene") {
+  model::Scene scene = detected_ellipse();
+  scene.rules.forbidden = {{.rod = 0, .from = 0, .to = 0.1 * scene.structure.rods[0].length()}};
+  CHECK_THAT(given_error(scene, model::Rotation{.fold = 2, .axis = z}),
+             Contains("is not a symmetry of the scene: it "));
+}
+
 TEST_CASE("supports, loads, weights and rules have to be symmetric too") {
   model::Scene scene = detected_ellipse();
   const double length = scene.structure.rods[0].length();
