@@ -30,11 +30,11 @@ using namespace tencer;
 
 namespace {
 
-constexpr int most_columns = 9;
+constexpr int max_columns = 9;
 
 // What was measured at one size; columns in the order of the study's names.
 struct Sample {
-  std::array<double, most_columns> values{};
+  std::array<double, max_columns> values{};
 };
 
 struct Study {

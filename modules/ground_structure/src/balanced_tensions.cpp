@@ -135,6 +135,8 @@ std::optional<linalg::Nonnegative> balanced_tensions(const equilibrium::System& 
                                                      const model::State& state,
                                                      const std::vector<CandidateOrbit>& orbits,
                                                      double accuracy) {
+  // A group of symmetries may leave none.
+  if (orbits.empty()) return linalg::Nonnegative{.reason = linalg::NonnegativeReason::solved};
   auto factor = compliance(bare, state);
   if (!factor) return std::nullopt;
   Balance balance(bare, state, orbits, std::move(*factor));

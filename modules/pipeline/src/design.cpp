@@ -168,10 +168,10 @@ const Design& best_for(const model::Goal& goal, std::span<const Design> designs)
     const int at = goal.pick(scores);
     return at < 0 ? nullptr : counted[at];
   };
-  const Design* sound = picked([](const Design& design) {
+  const Design* settled = picked([](const Design& design) {
     return design.certificate->stable && design.certificate->settles_from_target.value_or(false);
   });
-  if (sound && goal.met(score_of(*sound))) return *sound;
+  if (settled && goal.met(score_of(*settled))) return *settled;
   return *picked([](const Design&) { return true; });
 }
 

@@ -66,14 +66,14 @@ double Multistart::aim_percent() const {
 
 Descent Multistart::descent(const DescentSettings& settings, double max_error_percent) const {
   const bool by_number = options_.goal.by_number();
-  constexpr double hopeless = 3;  // times the error: what is further away is not fitted back
+  constexpr double max_refit = 3;  // times the error: what is further away is not fitted back
   return {.aim_percent = (by_number ? settings.times : settings.part) * max_error_percent,
           .diagonal = diagonal_,
           .stability_weight = settings.stability_weight,
           .min_unit = settings.min_unit,
           .min_cables = std::max(options_.goal.cables, 1),
           .max_percent =
-              by_number ? std::numeric_limits<double>::infinity() : hopeless * max_error_percent,
+              by_number ? std::numeric_limits<double>::infinity() : max_refit * max_error_percent,
           .progress = [this](const FittedNetwork& at) { report(at); }};
 }
 

@@ -77,7 +77,7 @@ Json cable_to_json(const springs::Cable& cable, const BuiltCable& built) {
   result["b"] = to_json(cable.b);
   result["length"] = built.length;
   result["tension"] = built.tension;
-  if (cable.stiffness > 0) {
+  if (cable.stiffness != 0) {
     result["stiffness"] = cable.stiffness;
     result["rest_length"] = cable.rest_length;
   }

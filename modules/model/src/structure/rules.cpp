@@ -49,12 +49,18 @@ bool pair_allowed(const Rules& rules, int rod_a, int rod_b) {
 
 bool place_allowed(const Rules& rules, const Structure& structure, int rod, double s) {
   const auto along = arc_length_of(structure, rod);
+  // An arc's ends are forbidden also where a change of units rounds them.
+  const double rounding = 1e-10 * along.length();
   const double at = along.wrap(s);
+  const auto within = [&](double place, const Interval& span) {
+    return place >= span.lower - rounding && place <= span.upper + rounding;
+  };
   return std::ranges::none_of(rules.forbidden, [&](const Arc& arc) {
     if (arc.rod != rod) return false;
     const Interval span = unrolled(arc, along);
-    return (at >= span.lower && at <= span.upper) ||
-           (along.closed() && at + along.length() <= span.upper);
+    if (within(at, span)) return true;
+    return along.closed() &&
+           (within(at + along.length(), span) || within(at - along.length(), span));
   });
 }
 

@@ -96,7 +96,7 @@ Misfit misfit(const Sampled& sampled, const Operation& operation) {
 }
 
 std::optional<Operation> match(const Sampled& sampled, const Eigen::Matrix3d& matrix,
-                               const Eigen::Vector3d& translation, double hopeless) {
+                               const Eigen::Vector3d& translation, double max_misfit) {
   const int rods = static_cast<int>(sampled.rods.size());
   Operation result{.matrix = matrix, .translation = translation, .rods = {}, .anchors = {}};
   auto anchors = match_anchors(sampled.figure.anchors, matrix, translation);
@@ -108,8 +108,8 @@ std::optional<Operation> match(const Sampled& sampled, const Eigen::Matrix3d& ma
     PairFit best;
     for (int image = 0; image < rods; ++image) {
       if (taken[image] || !alike(sampled.figure, r, image)) continue;
-      if (hopeless > 0.0 && !possible(sampled.rods[r], sampled.rods[image], matrix, translation,
-                                      hopeless * sampled.diagonal, sampled.diagonal))
+      if (max_misfit > 0.0 && !possible(sampled.rods[r], sampled.rods[image], matrix, translation,
+                                        max_misfit * sampled.diagonal, sampled.diagonal))
         continue;
       const PairFit fit = fit_pair(sampled, moved, r, image);
       if (fit.squares < best.squares) best = fit;

@@ -23,10 +23,10 @@ Misfit misfit(const Sampled& sampled, const Operation& operation);
 
 // The operation whose map of space is x -> matrix x + translation (in the centred figure): each rod
 // goes to the like rod that it comes closest to, the shift along it fitted. None where two rods or
-// anchors would go to the same one. `hopeless` > 0: none also where a rod's mean and moments show
+// anchors would go to the same one. `max_misfit` > 0: none also where a rod's mean and moments show
 // that every image is further away than this.
 std::optional<Operation> match(const Sampled& sampled, const Eigen::Matrix3d& matrix,
-                               const Eigen::Vector3d& translation, double hopeless);
+                               const Eigen::Vector3d& translation, double max_misfit);
 
 // Least squares over all rods together: of the shifts along closed rods and, if asked, of the map
 // of space too. Keeps which rod goes where.
