@@ -50,6 +50,15 @@ TEST_CASE("balanced tensions leave no vertex further to move than the accuracy")
   }
 }
 
+TEST_CASE("without candidates nothing is balanced") {
+  const auto problem = fixtures::problem_of(fixtures::trefoil());
+  const equilibrium::System system(problem.structure);
+  const auto found = ground_structure::balanced_tensions(system, problem.start, {}, 1e-4);
+  REQUIRE(found);
+  CHECK(found->converged());
+  CHECK(found->set.empty());
+}
+
 TEST_CASE("a rod whose edges are too unlike for its stiffness to be finite has no balance") {
   auto problem = fixtures::problem_of(fixtures::trefoil());
   problem.structure.rods[0].section.EA = 1e308;
