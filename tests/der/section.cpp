@@ -40,6 +40,27 @@ TEST_CASE("a rectangle is stiffer about the axis along its width") {
   CHECK(upright.GJ == flat.GJ);
 }
 
+TEST_CASE("a section keeps its shape: area, outer fibres and strain of a bend") {
+  const Shape circle = solid_circle(1.0, 0.3, 0.5).shape;
+  CHECK(*area(circle) == Approx(pi / 4));
+  CHECK(*bending_strain(circle, 0.03, 0.04) == Approx(0.025));
+  const Shape hollow = tube(1.0, 0.3, 0.5, 0.4).shape;
+  CHECK(*area(hollow) == Approx(pi * 0.09));
+  CHECK(*bending_strain(hollow, 0.03, -0.04) == Approx(0.025));
+  const Shape strip = rectangle(1.0, 0.3, 0.2, 4.0).shape;
+  CHECK(*area(strip) == Approx(0.8));
+  CHECK(*bending_strain(strip, -0.1, 0.0) == Approx(0.01));
+  CHECK(*bending_strain(strip, 0.0, 0.1) == Approx(0.2));
+  CHECK(*bending_strain(strip, 0.1, -0.1) == Approx(0.21));  // at a corner
+  const auto grown = half_sizes(resized(strip, 10));
+  CHECK(grown->along_m1 == Approx(1.0));
+  CHECK(grown->along_m2 == Approx(20.0));
+  const Shape none = Section{}.shape;
+  CHECK_FALSE(area(none));
+  CHECK_FALSE(half_sizes(none));
+  CHECK_FALSE(bending_strain(none, 1.0, 1.0));
+}
+
 TEST_CASE("sections that cannot be are refused") {
   CHECK_THROWS_AS(solid_circle(0.0, 0.3, 1.0), std::invalid_argument);
   CHECK_THROWS_AS(solid_circle(1.0, 0.6, 1.0), std::invalid_argument);

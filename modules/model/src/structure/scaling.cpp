@@ -9,7 +9,8 @@ der::Rod scaled(der::Rod rod, const core::Scale& scale) {
   rod.section = {.EA = rod.section.EA / scale.force(),
                  .EI1 = rod.section.EI1 / scale.bending(),
                  .EI2 = rod.section.EI2 / scale.bending(),
-                 .GJ = rod.section.GJ / scale.bending()};
+                 .GJ = rod.section.GJ / scale.bending(),
+                 .shape = der::resized(rod.section.shape, 1 / scale.length)};
   rod.rest_lengths /= scale.length;
   return rod;
 }

@@ -10,6 +10,8 @@ void validate(const Structure& structure) {
   core::require(!structure.rods.empty(), "structure: needs at least one rod");
   const int rods = static_cast<int>(structure.rods.size());
   for (const auto& rod : structure.rods) der::validate(rod);
+  core::require(structure.materials.empty() || structure.materials.size() == structure.rods.size(),
+                "structure: needs a material for each rod, or none at all");
   core::require(structure.anchors.allFinite(), "structure: anchors must be finite");
   for (const auto& cable : structure.cables)
     springs::validate(cable, rods, static_cast<int>(structure.anchors.cols()));

@@ -9,6 +9,7 @@
 #include <tencer/model/certificate.hpp>
 #include <tencer/model/goal.hpp>
 #include <tencer/model/stage_row.hpp>
+#include <tencer/model/strain.hpp>
 #include <tencer/model/structure.hpp>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct Design {
   // perpendicular to the edge. No columns: not known, or of no consequence.
   std::vector<Eigen::Matrix3Xd> target_directors{};
   std::vector<Eigen::Matrix3Xd> pose_directors{};
+  // Per rod, at the pose; none in a design that nobody solved yet.
+  std::vector<std::optional<BendingStrain>> strains{};
   std::optional<DesignError> error = std::nullopt;  // not set in a design that nobody solved yet
   std::optional<Certificate> certificate = std::nullopt;  // likewise
   std::vector<StageRow> trace{};                          // error against run time

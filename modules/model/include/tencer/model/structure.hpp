@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <tencer/der/rod.hpp>
+#include <tencer/model/material.hpp>
 #include <tencer/springs/cable.hpp>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct LineLoad {
 // scaling.hpp.
 struct Structure {
   std::vector<der::Rod> rods{};
+  std::vector<Material> materials{};  // one a rod, or none: not known, which no solver minds
   Eigen::Matrix3Xd anchors = Eigen::Matrix3Xd(3, 0);  // 3 x k, fixed points in space
   std::vector<springs::Cable> cables{};
   std::vector<Pin> pins{};
