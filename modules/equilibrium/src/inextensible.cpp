@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tencer/core/error.hpp>
+#include <tencer/equilibrium/constrained.hpp>
 #include <tencer/equilibrium/inextensible.hpp>
 
 #include "balanced_stability.hpp"
@@ -95,20 +96,15 @@ InextensibleEquilibrium relax_inextensible(const model::Structure& structure, mo
 
 Assessment assess(const model::Structure& structure, const model::State& state,
                   const Eigen::VectorXd& tensions) {
-  constexpr double slack_tension = 1e-9;
   core::require(tensions.size() == static_cast<Eigen::Index>(structure.cables.size()),
                 "assess: needs one tension per cable");
   Assessment result{.tensions = tensions};
-  const double largest = tensions.size() > 0 ? tensions.maxCoeff() : 0;
-  std::vector<int> taut;
-  for (int c = 0; c < tensions.size(); ++c) {
-    if (tensions[c] > slack_tension * largest) {
-      taut.push_back(c);
-    } else {
+  const std::vector<int> taut = taut_cables(tensions);
+  for (int c = 0; c < tensions.size(); ++c)
+    if (!std::ranges::binary_search(taut, c)) {
       result.slack.push_back(c);
       result.tensions[c] = 0;
     }
-  }
   const System system(structure);
   const Eigen::VectorXd gradient = gradient_with(system, state, result.tensions);
   result.residual = relative_residual(system, gradient, system.rod_gradient(state));

@@ -22,6 +22,11 @@ Eigen::MatrixXd any_motions(Eigen::Index size) {
 }  // namespace
 
 Eigen::VectorXd lumped_mass(const System& system) {
+  const auto rods = static_cast<Eigen::Index>(system.structure().rods.size());
+  return lumped_mass(system, Eigen::VectorXd::Ones(rods));
+}
+
+Eigen::VectorXd lumped_mass(const System& system, const Eigen::VectorXd& mass_per_length) {
   Eigen::VectorXd mass = Eigen::VectorXd::Zero(system.size());
   const auto& rods = system.structure().rods;
   for (int r = 0; r < static_cast<int>(rods.size()); ++r)
@@ -29,7 +34,7 @@ Eigen::VectorXd lumped_mass(const System& system) {
       for (const int v : {j, (j + 1) % rods[r].vertices()})
         for (int axis = 0; axis < 3; ++axis)
           if (const int i = system.position_index(r, v, axis); i >= 0)
-            mass[i] += rods[r].rest_lengths[j] / 2;
+            mass[i] += mass_per_length[r] * rods[r].rest_lengths[j] / 2;
   return mass;
 }
 

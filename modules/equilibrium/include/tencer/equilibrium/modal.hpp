@@ -11,6 +11,8 @@ namespace tencer::equilibrium {
 // Mass of the free unknowns (size) for one unit of mass per rod length, lumped at the vertices; 0
 // for what is not a position.
 Eigen::VectorXd lumped_mass(const System& system);
+// The same with a mass per length at rest for every rod.
+Eigen::VectorXd lumped_mass(const System& system, const Eigen::VectorXd& mass_per_length);
 
 // max EI / L^4, L the rods' total length: the unit in which Stability tells eigenvalues.
 double eigenvalue_unit(const model::Structure& structure);
