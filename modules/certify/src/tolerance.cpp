@@ -16,19 +16,6 @@ using equilibrium::System;
 using springs::Parameter;
 using springs::ParameterKind;
 
-// Of cables that are all taut.
-std::vector<Parameter> parameters_of(const std::vector<springs::Cable>& cables) {
-  std::vector<Parameter> parameters;
-  for (int c = 0; c < static_cast<int>(cables.size()); ++c) {
-    parameters.push_back({ParameterKind::rest_length, c});
-    if (std::holds_alternative<springs::OnRod>(cables[c].a))
-      parameters.push_back({ParameterKind::position_a, c});
-    if (std::holds_alternative<springs::OnRod>(cables[c].b))
-      parameters.push_back({ParameterKind::position_b, c});
-  }
-  return parameters;
-}
-
 // How fast the length that a cable's ends ask for grows with the parameter, the vertices held: one
 // for its own length, less how fast its ends part as an attachment moves.
 double length_rate(const System& system, const model::State& state, const Parameter& parameter) {
@@ -77,7 +64,10 @@ PoseResponse pose_response(const model::Structure& structure, const model::State
                            const Eigen::VectorXd& tensions) {
   const std::vector<int> taut = equilibrium::taut_cables(tensions);
   const System system = equilibrium::taut_system(structure, state, tensions, taut);
-  PoseResponse result{.parameters = parameters_of(system.structure().cables)};
+  PoseResponse result;
+  for (int c = 0; c < static_cast<int>(taut.size()); ++c)
+    for (const Parameter& parameter : parameters_of(system.structure().cables[c], c))
+      result.parameters.push_back(parameter);
   equilibrium::ConstrainedHessian hessian(system, state,
                                           equilibrium::length_gradients(system, state),
                                           equilibrium::lumped_mass(system));
@@ -94,6 +84,15 @@ PoseResponse pose_response(const model::Structure& structure, const model::State
   for (Parameter& parameter : result.parameters) parameter.cable = taut[parameter.cable];
   result.computed = result.displacement.allFinite() && result.tension.allFinite();
   return result;
+}
+
+std::vector<Parameter> parameters_of(const springs::Cable& cable, int c) {
+  std::vector<Parameter> parameters{{ParameterKind::rest_length, c}};
+  if (std::holds_alternative<springs::OnRod>(cable.a))
+    parameters.push_back({ParameterKind::position_a, c});
+  if (std::holds_alternative<springs::OnRod>(cable.b))
+    parameters.push_back({ParameterKind::position_b, c});
+  return parameters;
 }
 
 double limit_of(const CableErrors& errors, const Parameter& parameter) {

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <tencer/model/state.hpp>
+#include <tencer/springs/cable.hpp>
 #include <tencer/springs/parameter.hpp>
 #include <vector>
 
@@ -32,6 +33,9 @@ struct CableErrors {
   double length = 0.0;      // of a cable
   double attachment = 0.0;  // of the place of an end along its rod
 };
+
+// What may be wrong of a cable, number c: its length, and where its ends are on rods.
+std::vector<springs::Parameter> parameters_of(const springs::Cable& cable, int c);
 
 // The largest error of a parameter.
 double limit_of(const CableErrors& errors, const springs::Parameter& parameter);
