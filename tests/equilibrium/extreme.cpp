@@ -179,3 +179,21 @@ TEST_CASE("a rod folded but for a millionth opens and lies straight") {
   CHECK((result.state[0].x.col(n - 1) - result.state[0].x.col(0)).norm() ==
         Approx(1.0).epsilon(1e-12));
 }
+
+TEST_CASE("a stiff edge off its length is not certified although balancing it turns nothing") {
+  const int n = 41;
+  model::Structure bow{
+      .rods = {models::slender_rod(false, n, 1.0, 1e4)},
+      .cables = {{.a = springs::OnRod{0, 0.0}, .b = springs::OnRod{0, 1.0}, .rest_length = 0.93}}};
+  const InextensibleEquilibrium form =
+      relax_inextensible(bow, model::make_state(bow, {arch(n, 0.93, 0.1)}));
+  REQUIRE(form.equilibrium.usable());
+  REQUIRE(assess(bow, form.equilibrium.state, form.tensions).certified());
+  model::State stretched = form.equilibrium.state;
+  const Eigen::Vector3d edge = stretched[0].x.col(1) - stretched[0].x.col(0);
+  stretched[0].x.col(0) -= 1e-10 * edge.normalized();
+  const Assessment assessment = assess(bow, stretched, form.tensions);
+  CHECK(assessment.turn <= 1e-8);
+  CHECK(assessment.residual > 1e-3);
+  CHECK_FALSE(assessment.certified());
+}

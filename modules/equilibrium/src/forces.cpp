@@ -58,7 +58,13 @@ Eigen::VectorXd per_unknown(const System& system, const OfRod& of_rod) {
 
 double relative_residual(const System& system, const Eigen::VectorXd& gradient,
                          const Eigen::VectorXd& rod_gradient) {
-  const Eigen::VectorXd imbalance = norms(system, gradient);
+  const auto rods = static_cast<Eigen::Index>(system.structure().rods.size());
+  return relative_residual(system, gradient, rod_gradient, Eigen::VectorXd::Zero(rods));
+}
+
+double relative_residual(const System& system, const Eigen::VectorXd& gradient,
+                         const Eigen::VectorXd& rod_gradient, const Eigen::VectorXd& explained) {
+  const Eigen::VectorXd imbalance = norms(system, gradient) - explained;
   const Eigen::VectorXd internal =
       norms(system, system.load_gradient().size() > 0
                         ? Eigen::VectorXd(rod_gradient - system.load_gradient())
@@ -81,7 +87,7 @@ ForceBalance force_balance(const System& system, const model::State& state) {
   return balance;
 }
 
-bool is_rounding(const System& system, const model::State& state, const Eigen::VectorXd& gradient) {
+Eigen::VectorXd gradient_rounding(const System& system, const model::State& state) {
   const auto& structure = system.structure();
   const auto rods = static_cast<Eigen::Index>(structure.rods.size());
   Eigen::VectorXd largest(rods), squared(rods);
@@ -102,9 +108,11 @@ bool is_rounding(const System& system, const model::State& state, const Eigen::V
       squared[stencil.shares[i].rod] += rounding * rounding;
     }
   }
-  const Eigen::VectorXd imbalance = norms(system, gradient);
-  return (imbalance.array() <= 4 * std::numeric_limits<double>::epsilon() * squared.array().sqrt())
-      .all();
+  return 4 * std::numeric_limits<double>::epsilon() * squared.cwiseSqrt();
+}
+
+bool is_rounding(const System& system, const model::State& state, const Eigen::VectorXd& gradient) {
+  return (norms(system, gradient).array() <= gradient_rounding(system, state).array()).all();
 }
 
 double energy_rounding(const System& system, const model::State& state) {
@@ -148,6 +156,15 @@ Eigen::VectorXd edge_stiffness(const System& system) {
     return Stiffness{.coordinate = std::sqrt(rod.section.EA * bending(rod)) / (l * l),
                      .twist = bending(rod) / l};
   });
+}
+
+double largest_motion(const System& system, const Eigen::VectorXd& step) {
+  double largest = 0;
+  const auto& rods = system.structure().rods;
+  for (int r = 0; r < static_cast<int>(rods.size()); ++r)
+    for (int v = 0; v < rods[r].vertices(); ++v)
+      largest = std::max(largest, step_of(system, step, r, v).norm());
+  return largest;
 }
 
 double largest_rotation(const System& system, const model::State& state,

@@ -12,14 +12,22 @@ namespace tencer::equilibrium {
 double relative_residual(const System& system, const Eigen::VectorXd& gradient,
                          const Eigen::VectorXd& rod_gradient);
 
+// The same of what is left of each rod's |gradient| when `explained`, a force per rod, is taken off
+// it.
+double relative_residual(const System& system, const Eigen::VectorXd& gradient,
+                         const Eigen::VectorXd& rod_gradient, const Eigen::VectorXd& explained);
+
 struct ForceBalance {
   Eigen::VectorXd gradient;
   double residual = 0.0;
 };
 ForceBalance force_balance(const System& system, const model::State& state);
 
-// Whether, on every rod, the gradient is no larger than what rounding of the vertices' coordinates
-// does to it: eps |x| times EA / l per edge, 8 EI / l^3 per bend, k per cable.
+// Per rod, the norm of what rounding of the vertices' coordinates does to the gradient: eps |x|
+// times EA / l per edge, 8 EI / l^3 per bend, k per cable.
+Eigen::VectorXd gradient_rounding(const System& system, const model::State& state);
+
+// Whether, on every rod, the gradient is no larger than that.
 bool is_rounding(const System& system, const model::State& state, const Eigen::VectorXd& gradient);
 
 // What the same rounding does to the energy: it moves edges and bends against the forces and
@@ -35,6 +43,9 @@ Eigen::VectorXd softest_stiffness(const System& system);
 // Per free unknown, the order of the stiffness of an edge of its rod: for coordinates the geometric
 // mean of EA / l and EI / l^3, along and across; EI / l for twist; 0 for twisting moments.
 Eigen::VectorXd edge_stiffness(const System& system);
+
+// Largest motion of a vertex under a step.
+double largest_motion(const System& system, const Eigen::VectorXd& step);
 
 // Largest change of an edge under a step, relative to its length.
 double largest_rotation(const System& system, const model::State& state,

@@ -1,94 +1,121 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tencer/core/error.hpp>
+#include <tencer/equilibrium/balancing.hpp>
 #include <tencer/equilibrium/constrained.hpp>
 #include <tencer/equilibrium/inextensible.hpp>
+#include <utility>
 
 #include "balanced_stability.hpp"
 #include "forces.hpp"
+#include "pulling_cables.hpp"
 
 namespace tencer::equilibrium {
 namespace {
 
-Eigen::VectorXd lengths_of(const System& system, const model::State& state) {
-  Eigen::VectorXd lengths(static_cast<Eigen::Index>(system.stencils().size()));
-  for (std::size_t c = 0; c < system.stencils().size(); ++c)
-    lengths[static_cast<Eigen::Index>(c)] = model::span_of(system.stencils()[c], state).norm();
-  return lengths;
+// The cables as springs of this stiffness that pull with `tensions` at their lengths; none when
+// that needs a rest length that is not positive.
+std::optional<std::vector<springs::Cable>> as_springs(const model::Structure& structure,
+                                                      const Eigen::VectorXd& tensions,
+                                                      double stiffness) {
+  std::vector<springs::Cable> springs = structure.cables;
+  for (std::size_t c = 0; c < springs.size(); ++c) {
+    springs[c].tension_only = true;
+    springs[c].stiffness = stiffness;
+    springs[c].rest_length -= tensions[static_cast<Eigen::Index>(c)] / stiffness;
+    if (!(springs[c].rest_length > 0)) return std::nullopt;
+  }
+  return springs;
 }
 
-// The gradient of the rods' energy plus what cables of these tensions exert.
-Eigen::VectorXd gradient_with(const System& system, const model::State& state,
-                              const Eigen::VectorXd& tensions) {
-  Eigen::VectorXd gradient = system.rod_gradient(state);
-  for (std::size_t c = 0; c < system.stencils().size(); ++c) {
-    const auto& stencil = system.stencils()[c];
-    const Eigen::Vector3d pull =
-        tensions[static_cast<Eigen::Index>(c)] * model::span_of(stencil, state).normalized();
-    system.for_each_unknown(
-        stencil, [&](int at, int axis, double weight) { gradient[at] += weight * pull[axis]; });
+// With the stiffness that tension gives a cable across itself.
+model::Structure as_pulling(const model::Structure& structure, const model::State& state,
+                            const Eigen::VectorXd& tensions) {
+  model::Structure pulling = structure;
+  const Eigen::VectorXd lengths = cable_lengths(System(structure), state);
+  for (std::size_t c = 0; c < pulling.cables.size(); ++c) {
+    const auto k = static_cast<Eigen::Index>(c);
+    pulling.cables[c].stiffness = lengths[k] > 0 ? tensions[k] / lengths[k] : 0;
   }
-  return gradient;
+  return pulling;
+}
+
+double stretch_of(const model::Structure& structure, const Eigen::VectorXd& lengths,
+                  const Eigen::VectorXd& tensions) {
+  double stretch = 0;
+  for (Eigen::Index c = 0; c < lengths.size(); ++c) {
+    const double excess = lengths[c] / structure.cables[c].rest_length - 1;
+    stretch = std::max(stretch, tensions[c] > 0 ? std::abs(excess) : excess);
+  }
+  return stretch;
+}
+
+void add_counts(const Equilibrium& counted, Equilibrium& sum) {
+  sum.iterations += counted.iterations;
+  sum.factorisations += counted.factorisations;
+  sum.evaluations += counted.evaluations;
+  sum.escapes += counted.escapes;
 }
 
 }  // namespace
 
 InextensibleEquilibrium relax_inextensible(const model::Structure& structure, model::State start,
                                            const SolveOptions& options) {
+  for (const auto& cable : structure.cables)
+    core::require(cable.rest_length > 0, "relax_inextensible: every cable needs a length");
+  const Eigen::VectorXd tensions = balancing_tensions(structure, start);
+  return relax_inextensible(structure, std::move(start), tensions, options);
+}
+
+InextensibleEquilibrium relax_inextensible(const model::Structure& structure, model::State start,
+                                           const Eigen::VectorXd& tensions,
+                                           const SolveOptions& options) {
   constexpr int max_rounds = 30;
   constexpr double enough = 1e-10;
-  model::Structure springs = structure;
-  double stiffness = 0;  // as stiff as the stiffest rod is along its axis
-  for (const auto& rod : structure.rods)
-    stiffness = std::max(stiffness, rod.section.EA / rod.length());
-  for (auto& cable : springs.cables) {
-    core::require(cable.rest_length > 0, "relax_inextensible: every cable needs a length");
-    cable.stiffness = stiffness;
-    cable.tension_only = true;
-  }
-  System system(springs);
-  Linearisation workspace;
-  InextensibleEquilibrium result;
   const auto count = static_cast<Eigen::Index>(structure.cables.size());
-  result.tensions = Eigen::VectorXd::Zero(count);
+  core::require(tensions.size() == count && (count == 0 || tensions.minCoeff() >= 0),
+                "relax_inextensible: needs one tension >= 0 per cable");
+  for (const auto& cable : structure.cables)
+    core::require(cable.rest_length > 0, "relax_inextensible: every cable needs a length");
+  double stiffness = axial_stiffness(structure);
+  const double stiffest = 1e12 * stiffness;
+  std::optional<std::vector<springs::Cable>> springs;
+  // The softest springs from here on whose rest lengths are positive.
+  const auto lay_springs = [&](const Eigen::VectorXd& at) {
+    while (!(springs = as_springs(structure, at, stiffness)) && stiffness < stiffest)
+      stiffness *= 10;
+    return springs.has_value();
+  };
+  InextensibleEquilibrium result{.tensions = tensions};
   result.equilibrium.state = std::move(start);
-  int iterations = 0;
-  int factorisations = 0;
-  int evaluations = 0;
-  int escapes = 0;
+  if (!lay_springs(tensions)) return result;
+  model::Structure sprung = structure;
+  sprung.cables = *springs;
+  System system(std::move(sprung));
+  Linearisation workspace;
+  Equilibrium total;
   for (double last = 1; result.rounds < max_rounds;) {
     ++result.rounds;
     result.equilibrium = solve(system, std::move(result.equilibrium.state), options, workspace);
-    iterations += result.equilibrium.iterations;
-    factorisations += result.equilibrium.factorisations;
-    evaluations += result.equilibrium.evaluations;
-    escapes += result.equilibrium.escapes;
+    add_counts(result.equilibrium, total);
     result.tensions = system.internal_forces(result.equilibrium.state).tension;
-    const Eigen::VectorXd lengths = lengths_of(system, result.equilibrium.state);
-    result.stretch = 0;
-    for (Eigen::Index c = 0; c < count; ++c)
-      result.stretch = std::max(result.stretch, lengths[c] / structure.cables[c].rest_length - 1);
+    result.stretch =
+        stretch_of(structure, cable_lengths(system, result.equilibrium.state), result.tensions);
     // Rounding stops the progress of the tensions before it stops that of the forces.
     const bool done =
         result.stretch <= enough || (result.stretch < 1e-8 && result.stretch > last / 2);
     if (done || !result.equilibrium.usable()) break;
-    // Cables along stiff parts of the rods need stiffer springs, and no spring may need a negative
-    // rest length for its tension.
+    // Cables along stiff parts of the rods need stiffer springs.
     if (result.stretch > last / 10) stiffness *= 10;
-    for (Eigen::Index c = 0; c < count; ++c)
-      while (result.tensions[c] > stiffness * structure.cables[c].rest_length) stiffness *= 10;
     last = result.stretch;
-    for (Eigen::Index c = 0; c < count; ++c) {
-      springs.cables[c].stiffness = stiffness;
-      springs.cables[c].rest_length =
-          structure.cables[c].rest_length - result.tensions[c] / stiffness;
-    }
-    system.set_cables(springs.cables);
+    if (!lay_springs(result.tensions)) break;
+    system.set_cables(*springs);
   }
-  result.equilibrium.iterations = iterations;
-  result.equilibrium.factorisations = factorisations;
-  result.equilibrium.evaluations = evaluations;
-  result.equilibrium.escapes = escapes;
+  result.equilibrium.iterations = total.iterations;
+  result.equilibrium.factorisations = total.factorisations;
+  result.equilibrium.evaluations = total.evaluations;
+  result.equilibrium.escapes = total.escapes;
   if (result.equilibrium.usable() && result.stretch > 1e-8)
     result.equilibrium.reason = Reason::iteration_limit;
   return result;
@@ -105,9 +132,12 @@ Assessment assess(const model::Structure& structure, const model::State& state,
       result.slack.push_back(c);
       result.tensions[c] = 0;
     }
-  const System system(structure);
+  const System system(as_pulling(structure, state, result.tensions));
   const Eigen::VectorXd gradient = gradient_with(system, state, result.tensions);
-  result.residual = relative_residual(system, gradient, system.rod_gradient(state));
+  const Eigen::VectorXd of_rods = system.rod_gradient(state);
+  result.residual = relative_residual(system, gradient, of_rods);
+  result.unexplained =
+      relative_residual(system, gradient, of_rods, gradient_rounding(system, state));
   const auto [stability, turn] =
       balanced_stability(structure, state, result.tensions, taut, gradient);
   result.stability = stability;

@@ -303,8 +303,13 @@ Eigen::MatrixXd Linearisation::solve(const Eigen::MatrixXd& b) const {
 }
 
 void linearise(const System& system, const model::State& state, Linearisation& at) {
+  linearise(system, state, system.internal_forces(state), at);
+}
+
+void linearise(const System& system, const model::State& state, const InternalForces& forces,
+               Linearisation& at) {
   at.rigid = rigid_modes(system, state);
-  fill(system, state, system.internal_forces(state), at);
+  fill(system, state, forces, at);
   check(system, at, at.factor.factorise(at.matrix));
 }
 

@@ -29,6 +29,9 @@ struct Linearisation {
 
 // Factorises the Hessian at `state` into `at`.
 void linearise(const System& system, const model::State& state, Linearisation& at);
+// The same with these forces in the geometric stiffness, see System::hessian.
+void linearise(const System& system, const model::State& state, const InternalForces& forces,
+               Linearisation& at);
 
 struct SolveOptions {
   double tolerance = 1e-10;   // on the residual, see Equilibrium

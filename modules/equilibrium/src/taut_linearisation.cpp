@@ -1,0 +1,88 @@
+#include "taut_linearisation.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <tencer/equilibrium/constrained.hpp>
+#include <utility>
+#include <vector>
+
+namespace tencer::equilibrium {
+
+bool TautLinearisation::linearise(System& system, const model::State& state,
+                                  const InternalForces& forces) {
+  double stiffness = 0;  // that of the stiffest edge
+  for (const auto& rod : system.structure().rods)
+    stiffness = std::max(stiffness, rod.section.EA / rod.length() * rod.edges());
+  springs_ = (forces.tension.array() > 0)
+                 .select(Eigen::VectorXd::Constant(forces.tension.size(), stiffness), 0);
+  std::vector<springs::Cable> cables = system.structure().cables;
+  for (std::size_t c = 0; c < cables.size(); ++c)
+    cables[c].stiffness = springs_[static_cast<Eigen::Index>(c)];
+  system.set_cables(std::move(cables));
+  equilibrium::linearise(system, state, forces, at_);
+  if (!at_.regular || at_.negative > 0) return false;
+  pulls_ = length_gradients(system, state);
+  motions_ = pulls_.cols() > 0 ? at_.solve(pulls_) : pulls_;
+  compliance_ = pulls_.transpose() * motions_;
+  return compliance_.allFinite();
+}
+
+TautStep TautLinearisation::step(const Eigen::VectorXd& gradient, const Eigen::VectorXd& tensions,
+                                 const Eigen::VectorXd& gap) const {
+  constexpr double independent =
+      1e-12;  // of a cable's compliance: what tells dependent cables apart
+  const Eigen::Index count = tensions.size();
+  const Eigen::VectorXd free_motion = -at_.solve(gradient).col(0);
+  const Eigen::VectorXd free_growth = pulls_.transpose() * free_motion;
+  const double regular = count > 0 ? independent * compliance_.diagonal().maxCoeff() : 0;
+  TautStep result{.tensions = tensions};
+  // The spring forces `pull` besides the tensions: the motion is free_motion - motions_ * pull, and
+  // the new tension of a cable tensions + pull + springs_ * growth.
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(count);
+  std::vector<bool> taut(static_cast<std::size_t>(count));
+  for (Eigen::Index c = 0; c < count; ++c) taut[static_cast<std::size_t>(c)] = tensions[c] > 0;
+  const int together = 8;  // rounds in which all cables change that are on the wrong side
+  for (int round = 0; round < together + 2 * count + 1 && !result.solved; ++round) {
+    std::vector<Eigen::Index> unknown;
+    for (Eigen::Index c = 0; c < count; ++c)
+      if (taut[static_cast<std::size_t>(c)] || springs_[c] > 0) unknown.push_back(c);
+    const auto size = static_cast<Eigen::Index>(unknown.size());
+    Eigen::MatrixXd matrix(size, size);
+    Eigen::VectorXd right(size);
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const Eigen::Index c = unknown[static_cast<std::size_t>(i)];
+      const bool is_taut = taut[static_cast<std::size_t>(c)];
+      for (Eigen::Index j = 0; j < size; ++j) {
+        const double yields = compliance_(c, unknown[static_cast<std::size_t>(j)]);
+        matrix(i, j) = is_taut ? yields : -springs_[c] * yields;
+      }
+      matrix(i, i) += is_taut ? regular : 1;
+      right[i] = is_taut ? free_growth[c] - gap[c] : -tensions[c] - springs_[c] * free_growth[c];
+    }
+    const Eigen::VectorXd solution =
+        size > 0 ? Eigen::VectorXd(matrix.partialPivLu().solve(right)) : right;
+    if (!solution.allFinite()) return result;
+    pull.setZero();
+    for (Eigen::Index i = 0; i < size; ++i)
+      pull[unknown[static_cast<std::size_t>(i)]] = solution[i];
+    const Eigen::VectorXd growth = free_growth - compliance_ * pull;
+    result.tensions = tensions + pull + springs_.cwiseProduct(growth);
+    result.solved = true;
+    for (Eigen::Index c = 0; c < count; ++c) {
+      const auto k = static_cast<std::size_t>(c);
+      const bool wrong = taut[k] ? result.tensions[c] < 0
+                                 : growth[c] > gap[c] + 1e-12 * std::abs(free_growth[c]) + 1e-15;
+      if (!taut[k]) result.tensions[c] = 0;
+      if (!wrong) continue;
+      result.solved = false;
+      taut[k] = !taut[k];
+      if (round >= together) break;  // one after the other ends where all together may cycle
+    }
+  }
+  result.tensions = result.tensions.cwiseMax(0);
+  result.motion = free_motion - motions_ * pull;
+  return result;
+}
+
+}  // namespace tencer::equilibrium

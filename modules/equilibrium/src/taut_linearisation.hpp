@@ -1,0 +1,40 @@
+// A structure with inextensible, unilateral cables to first order about a state.
+#pragma once
+
+#include <Eigen/Core>
+#include <tencer/equilibrium/solve.hpp>
+
+namespace tencer::equilibrium {
+
+// A Newton step: the motion of the free unknowns and the tensions after it.
+struct TautStep {
+  Eigen::VectorXd motion{};
+  Eigen::VectorXd tensions{};  // >= 0
+  bool solved = false;         // false: no set of taut cables was found
+};
+
+// The Hessian of the Lagrangian with the taut cables as stiff springs besides: on motions that keep
+// their lengths the springs change nothing, and when it is positive definite so is the Hessian on
+// these motions. Positive definite otherwise too, but for what springs so stiff still give.
+class TautLinearisation {
+ public:
+  // forces: in the geometric stiffness; their tensions are the cables', and those above zero taut.
+  // Sets the cables of `system` to the springs. False unless positive definite.
+  bool linearise(System& system, const model::State& state, const InternalForces& forces);
+
+  // Towards gradient = 0 where every cable gets longer by `gap` at most, and by `gap` where it
+  // pulls: a linear complementarity problem. gradient: with `tensions`.
+  TautStep step(const Eigen::VectorXd& gradient, const Eigen::VectorXd& tensions,
+                const Eigen::VectorXd& gap) const;
+
+  const std::vector<RigidModes>& rigid() const { return at_.rigid; }
+
+ private:
+  Linearisation at_{};
+  Eigen::VectorXd springs_{};     // per cable, their stiffness; 0 where slack
+  Eigen::MatrixXd pulls_{};       // size x cables, see length_gradients
+  Eigen::MatrixXd motions_{};     // size x cables, H^-1 pulls
+  Eigen::MatrixXd compliance_{};  // cables x cables, pulls^T H^-1 pulls
+};
+
+}  // namespace tencer::equilibrium
