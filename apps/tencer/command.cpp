@@ -14,6 +14,16 @@ CLI::Validator positive_number() {
           "POSITIVE"};
 }
 
+CLI::Validator not_negative_number() {
+  return {[](std::string& text) {
+            double value = 0;
+            const bool fine =
+                CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0;
+            return fine ? std::string() : "expected a number that is not negative, found " + text;
+          },
+          "NOT NEGATIVE"};
+}
+
 CLI::Validator positive_integer() {
   return {[](std::string& text) {
             int value = 0;

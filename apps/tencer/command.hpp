@@ -27,7 +27,10 @@ using Command = std::function<core::Expected<ExitCode>(const core::Log&)>;
 // The check of an option that is a finite number above zero (CLI11's own lets NaN pass).
 CLI::Validator positive_number();
 
-// Likewise of a whole number.
+// Likewise of a finite number that is not negative.
+CLI::Validator not_negative_number();
+
+// Likewise of a whole number above zero.
 CLI::Validator positive_integer();
 
 // An option whose values are those of an enumeration, by their names in scene files; `hidden` ones
@@ -46,6 +49,7 @@ CLI::Option* add_choice(CLI::App& command, const std::string& option, std::optio
       ->check(CLI::IsMember(offered));
 }
 
+void add_check(CLI::App& app, Command& chosen);
 void add_design(CLI::App& app, Command& chosen);
 void add_simulate(CLI::App& app, Command& chosen);
 void add_stress(CLI::App& app, Command& chosen);

@@ -25,6 +25,12 @@ refused("--cables: " "inextensible" simulate design.json --cables ropes)
 foreach(value 0 1.5 1001)
   refused("--refine: " "${value}" simulate design.json --refine ${value})
 endforeach()
+foreach(value -1 nan inf some)
+  refused("--length-error: " "expected a number that is not negative, found ${value}"
+    check design.json --length-error ${value})
+endforeach()
+refused("--max-deviation: " "expected a positive number, found 0" check design.json --max-deviation 0)
+refused("none.json: " "there is no such file" check none.json -o out)
 if(MMA)
   refused("--hessian: " "belongs to the optimizer ipopt"
     design ring.obj -o out --optimizer mma --hessian exact)

@@ -1,0 +1,88 @@
+// tencer check DESIGN: whether a design can be built and does then what it should.
+#include <iostream>
+#include <memory>
+#include <tencer/io/check.hpp>
+#include <tencer/io/file.hpp>
+#include <tencer/pipeline/check.hpp>
+
+#include "command.hpp"
+#include "design_files.hpp"
+#include "interrupt.hpp"
+
+namespace tencer::app {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  tencer check knot/design.json                        cables cut to 1 mm and tied to 2 mm
+  tencer check knot/design.json --length-error 0.5 --attachment-error 1 --max-deviation 5
+  tencer check knot/design.json --json                 for programs
+  tencer check knot/design.json -o checked             its files, with the check in design.json
+
+Exit code 3 when something fails, which the report says. docs/check.md has what each line means.)";
+
+struct CheckRequest {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  pipeline::CheckOptions options;
+  bool json = false;
+};
+
+core::Expected<ExitCode> run_check(CheckRequest request) {
+  const auto given = io::read_design(request.input);
+  if (!given) return given.error();
+  if (!request.output.empty())
+    if (const auto error = io::folder_problem(request.output)) return *error;
+  const Interrupt interrupt;
+  request.options.stop = interrupt.token();
+  const auto checked = pipeline::check(*given, request.options);
+  if (!checked) return core::Error{request.input.string(), checked.error().text()};
+  if (!request.output.empty())
+    if (const auto error = write_design_files(request.output, checked->design, &checked->check))
+      return *error;
+  const model::CheckUnits units{checked->design.length_unit, checked->design.force_unit};
+  std::cout << (request.json ? io::check_text(checked->design, checked->check)
+                             : model::report(checked->check, units));
+  if (interrupt.token().stop_requested()) {
+    std::cerr << "interrupted: not everything was looked at\n";
+    return ExitCode::tolerance_not_reached;
+  }
+  return model::shortfalls(checked->check, units).empty() ? ExitCode::ok
+                                                          : ExitCode::tolerance_not_reached;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand("check", "Find out whether a design can be built");
+  command->footer(examples);
+  const auto request = std::make_shared<CheckRequest>();
+  pipeline::CheckOptions& options = request->options;
+  command->add_option("DESIGN", request->input, "Design file (design.json)")->required();
+  command->add_option("--length-error", options.length_error_mm, "Of a cable's length, mm")
+      ->check(not_negative_number())
+      ->capture_default_str();
+  command
+      ->add_option("--attachment-error", options.attachment_error_mm,
+                   "Of where a cable is tied along a rod, mm")
+      ->check(not_negative_number())
+      ->capture_default_str();
+  command
+      ->add_option("--max-deviation", options.max_deviation_mm,
+                   "What 95 % of the structures built so may be off by, mm [1 % of the size]")
+      ->check(positive_number());
+  command
+      ->add_option("--breaking-load", options.breaking_load_newtons,
+                   "Of a cable, N; the default is that of a 1 mm wire rope")
+      ->check(positive_number())
+      ->capture_default_str();
+  command->add_option("--draws", options.draws, "Structures drawn with errors, to first order")
+      ->check(positive_integer())
+      ->capture_default_str();
+  command->add_option("--seed", options.seed, "Of what is drawn")->capture_default_str();
+  command->add_flag("--json", request->json, "Write JSON instead of words");
+  command->add_option("-o,--output", request->output, "Folder for the design with its check");
+  command->callback(
+      [&chosen, request] { chosen = [request](const core::Log&) { return run_check(*request); }; });
+}
+
+}  // namespace tencer::app

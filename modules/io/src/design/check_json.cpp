@@ -1,0 +1,110 @@
+#include <tencer/io/check.hpp>
+
+#include "design/design_json.hpp"
+#include "design/pretty_json.hpp"
+
+namespace tencer::io {
+namespace {
+
+using namespace model;
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Stands& stands) {
+  return {
+      {"certified", stands.certified},       {"moved", stands.moved},
+      {"residual", stands.residual},         {"smallest_eigenvalue", stands.smallest_eigenvalue},
+      {"slack_cables", stands.slack_cables}, {"hertz", stands.hertz},
+      {"free_groups", stands.free_groups}};
+}
+
+Json cable_or_none(int cable) { return cable < 0 ? Json(nullptr) : Json(cable); }
+
+Json to_json(const Forgives& forgives) {
+  return {{"length_error", forgives.length_error},
+          {"attachment_error", forgives.attachment_error},
+          {"max_deviation", forgives.max_deviation},
+          {"draws", forgives.draws},
+          {"expected", forgives.expected},
+          {"percentile_95", forgives.percentile_95},
+          {"worst", forgives.worst},
+          {"decisive_cable", cable_or_none(forgives.decisive_cable)},
+          {"decisive", forgives.decisive},
+          {"first_slack", cable_or_none(forgives.first_slack)},
+          {"slack_at", forgives.slack_at}};
+}
+
+Json to_json(const ComesBack& comes_back) {
+  Json pushes = Json::array();
+  for (const Pushes& one : comes_back.pushes)
+    pushes.push_back({{"size", one.size},
+                      {"tried", one.tried},
+                      {"back", one.back},
+                      {"lost", one.lost},
+                      {"strands_met", one.strands_met}});
+  Json others = Json::array();
+  for (const OtherPose& other : comes_back.others)
+    others.push_back(
+        {{"distance", other.distance}, {"energy", other.energy}, {"times", other.times}});
+  return {{"pushes", pushes}, {"other_poses", others}};
+}
+
+Json to_json(const Holds& holds) {
+  Json result;
+  if (holds.rod >= 0)
+    result = {{"strain", holds.strain},
+              {"rod", holds.rod},
+              {"s", holds.s},
+              {"material", holds.material},
+              {"strain_limit", holds.strain_limit}};
+  result["tension"] = holds.tension;
+  result["cable"] = cable_or_none(holds.cable);
+  result["breaking_load"] = holds.breaking_load;
+  if (holds.sag) result["sag"] = *holds.sag;
+  if (holds.sag && holds.hung_rod >= 0)
+    result["hung_from"] = {{"rod", holds.hung_rod}, {"vertex", holds.hung_vertex}};
+  return result;
+}
+
+Json to_json(const Converged& converged) {
+  Json refinements = Json::array();
+  for (const Refinement& refinement : converged.refinements)
+    refinements.push_back({{"times", refinement.times},
+                           {"moved", refinement.moved},
+                           {"settles", refinement.settles}});
+  return {{"converged", converged.converged},
+          {"allowed", converged.allowed},
+          {"distance", converged.distance},
+          {"refinements", refinements}};
+}
+
+Json to_json(const Check& check, const Design& design) {
+  const std::vector<std::string> fails = shortfalls(check, {design.length_unit, design.force_unit});
+  Json result;
+  result["passed"] = fails.empty();
+  result["fails"] = fails;
+  result["length_unit"] = design.length_unit;
+  result["force_unit"] = design.force_unit;
+  const auto add = [&](const char* key, const auto& section) {
+    if (section) result[key] = to_json(*section);
+  };
+  add("stands", check.stands);
+  add("forgives", check.forgives);
+  add("comes_back", check.comes_back);
+  add("holds", check.holds);
+  add("converged", check.converged);
+  return result;
+}
+
+}  // namespace
+
+std::string check_text(const Design& design, const Check& check) {
+  return pretty(to_json(check, design));
+}
+
+std::string design_text(const Design& design, const Check& check) {
+  Json result = design_to_json(design);
+  result["check"] = to_json(check, design);
+  return pretty(result);
+}
+
+}  // namespace tencer::io

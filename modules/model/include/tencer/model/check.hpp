@@ -1,0 +1,107 @@
+// What checking a design finds: can it be built, and does it do then what it should? Plain data;
+// lengths and forces in the design's units. A section that is not set was not found out.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tencer::model {
+
+struct Stands {
+  double moved = 0.0;  // a vertex, from the file's pose to where it comes to rest: a length
+  double residual = 0.0;
+  double smallest_eigenvalue = 0.0;  // in eigenvalue_unit (certificate.hpp)
+  int slack_cables = 0;
+  bool certified = false;                  // forces balance, no cable is slack, every motion costs
+  std::vector<double> hertz{};             // the lowest modes, ascending
+  std::vector<std::string> free_groups{};  // what moves at no cost, in words
+};
+
+// What errors of the cables do: of their lengths and of where they are tied along the rods, each
+// independent and uniform up to the largest.
+struct Forgives {
+  double length_error = 0.0;
+  double attachment_error = 0.0;
+  double max_deviation = 0.0;  // allowed to 95 % of the structures built so
+  // Largest distance of a vertex from the pose, to first order.
+  int draws = 0;
+  double expected = 0.0;
+  double percentile_95 = 0.0;
+  double worst = 0.0;
+  int decisive_cable = -1;  // the one whose own errors move a vertex most; -1: none does
+  double decisive = 0.0;    // root mean square of how far
+  int first_slack = -1;     // the cable that errors let go slack first; -1: none
+  double slack_at = 0.0;    // by this many times the errors, all at their worst
+};
+
+// Pushes out of the pose along its softest motions, smooth and rough, and letting go.
+struct Pushes {
+  double size = 0.0;    // how far the vertex moves that moves most: a length
+  int tried = 0;        // half of them smooth, half rough
+  int back = 0;         // came to rest in the pose again
+  int lost = 0;         // were not found to come to rest
+  int strands_met = 0;  // of those back: strands may have passed through each other
+};
+// A stable pose beside the design's.
+struct OtherPose {
+  double distance = 0.0;  // largest distance of a vertex: a length
+  double energy = 0.0;    // of rods and loads, less that of the design's pose: force times length
+  int times = 0;          // pushes that ended there
+};
+struct ComesBack {
+  std::vector<Pushes> pushes{};
+  std::vector<OtherPose> others{};
+};
+
+// Strain, tension and sag against what rods and cables bear.
+struct Holds {
+  double strain = 0.0;  // largest bending strain of a rod, a fraction; of the rod at arc length s
+  int rod = -1;         // -1: no rod's section has a shape
+  double s = 0.0;
+  std::string material{};
+  double strain_limit = 0.0;  // of the material, held for long
+  double tension = 0.0;       // the largest, a force
+  int cable = -1;             // -1: there are none
+  double breaking_load = 0.0;
+  // How far it sags under its own weight, hung from vertex hung_vertex of rod hung_rod (-1: as its
+  // supports hold it), a length; not set: not known, or it swings.
+  std::optional<double> sag = std::nullopt;
+  int hung_rod = -1;
+  int hung_vertex = -1;
+};
+
+// How the pose changes with the number of vertices: every edge divided into 2, 4, 8.
+struct Refinement {
+  int times = 1;
+  double moved = 0.0;   // largest motion of a vertex since half as many edges: a length
+  bool settles = true;  // false: no pose was found
+};
+struct Converged {
+  std::vector<Refinement> refinements{};
+  double allowed = 0.0;   // motion at which the pose counts as converged
+  double distance = 0.0;  // about how far the file's pose is from that of ever finer rods
+  bool converged = false;
+};
+
+// The units that a check's numbers are in, see units.hpp.
+struct CheckUnits {
+  std::string length{};
+  std::string force{};
+};
+
+struct Check {
+  std::optional<Stands> stands = std::nullopt;
+  std::optional<Forgives> forgives = std::nullopt;
+  std::optional<ComesBack> comes_back = std::nullopt;
+  std::optional<Holds> holds = std::nullopt;
+  std::optional<Converged> converged = std::nullopt;
+};
+
+// What fails, a clause each that starts with the section: "forgives: ..."; none: nothing does.
+std::vector<std::string> shortfalls(const Check& check, const CheckUnits& units);
+
+// A line for each section, lengths in mm and forces in N, and "fails: ..." for each shortfall.
+std::string report(const Check& check, const CheckUnits& units);
+
+}  // namespace tencer::model

@@ -1,0 +1,188 @@
+// Checks in words.
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <tencer/model/certificate.hpp>
+#include <tencer/model/check.hpp>
+#include <tencer/model/units.hpp>
+
+namespace tencer::model {
+namespace {
+
+// Lengths in mm, forces in N, three digits.
+class Words {
+ public:
+  explicit Words(const CheckUnits& units)
+      : mm_(1000 * metres(units.length)), newtons_(model::newtons(units.force)) {}
+
+  std::string mm(double length) const { return number(length * mm_) + " mm"; }
+  std::string newtons(double force) const { return number(force * newtons_) + " N"; }
+  std::string joules(double energy) const { return number(energy * newtons_ * mm_ / 1000) + " J"; }
+  static std::string percent(double fraction) { return number(100 * fraction) + " %"; }
+  static std::string number(double value) {
+    std::ostringstream text;
+    text << std::setprecision(3) << value;
+    return text.str();
+  }
+
+ private:
+  double mm_;
+  double newtons_;
+};
+
+using Reasons = std::vector<std::string>;
+
+void add_if(bool fails, const std::string& reason, Reasons& reasons) {
+  if (fails) reasons.push_back(reason);
+}
+
+void add_shortfalls(const Stands& stands, Reasons& reasons) {
+  add_if(!stands.certified, "stands: it does not stand in this pose", reasons);
+  for (const std::string& group : stands.free_groups)
+    reasons.push_back("stands: " + group + " at no cost");
+}
+
+std::string errors_words(const Forgives& forgives, double times, const Words& words) {
+  return "cables cut to " + words.mm(times * forgives.length_error) + " and tied to " +
+         words.mm(times * forgives.attachment_error);
+}
+
+void add_shortfalls(const Forgives& forgives, const Words& words, Reasons& reasons) {
+  add_if(forgives.percentile_95 > forgives.max_deviation,
+         "forgives: with " + errors_words(forgives, 1, words) + " it is within " +
+             words.mm(forgives.percentile_95) + ", not the " + words.mm(forgives.max_deviation) +
+             " allowed",
+         reasons);
+}
+
+void add_shortfalls(const ComesBack& comes_back, const Words& words, Reasons& reasons) {
+  for (const Pushes& pushes : comes_back.pushes)
+    add_if(pushes.back < pushes.tried,
+           "comes back: pushed by " + words.mm(pushes.size) + " it comes back " +
+               std::to_string(pushes.back) + " times of " + std::to_string(pushes.tried),
+           reasons);
+}
+
+void add_shortfalls(const Holds& holds, const Words& words, Reasons& reasons) {
+  add_if(holds.rod >= 0 && holds.strain > holds.strain_limit,
+         "holds: rod " + std::to_string(holds.rod) + " is strained by " +
+             Words::percent(holds.strain) + ", " + holds.material + " bears " +
+             Words::percent(holds.strain_limit),
+         reasons);
+  add_if(holds.cable >= 0 && holds.tension > holds.breaking_load,
+         "holds: cable " + std::to_string(holds.cable) + " pulls with " +
+             words.newtons(holds.tension) + " and breaks at " + words.newtons(holds.breaking_load),
+         reasons);
+}
+
+void add_shortfalls(const Converged& converged, const Words& words, Reasons& reasons) {
+  if (converged.converged) return;
+  const Refinement& last = converged.refinements.back();
+  const std::string finer = "converged: with " + std::to_string(last.times) + " edges for each ";
+  reasons.push_back(finer + (last.settles ? "the pose still moves by " + words.mm(last.moved)
+                                          : "it does not come to rest"));
+}
+
+std::string line(const Stands& stands, const Words& words) {
+  std::string text = stands.certified ? "stands: yes" : "stands: no";
+  text += ", force imbalance " + Words::number(stands.residual) + ", smallest eigenvalue " +
+          Words::number(stands.smallest_eigenvalue) + " (" + eigenvalue_unit + "), " +
+          std::to_string(stands.slack_cables) + " slack, at rest " + words.mm(stands.moved) +
+          " from the file's pose";
+  if (!stands.hertz.empty()) text += "; lowest modes";
+  for (std::size_t m = 0; m < stands.hertz.size(); ++m)
+    text += (m > 0 ? ", " : " ") + Words::number(stands.hertz[m]);
+  if (!stands.hertz.empty()) text += " Hz";
+  return text;
+}
+
+std::string line(const Forgives& forgives, const Words& words) {
+  std::string text = "forgives: " + errors_words(forgives, 1, words) + ": within " +
+                     words.mm(forgives.percentile_95) + " (95 %), expected " +
+                     words.mm(forgives.expected) + ", worst " + words.mm(forgives.worst) + " of " +
+                     std::to_string(forgives.draws) + " draws to first order";
+  if (forgives.decisive_cable >= 0)
+    text += "; cable " + std::to_string(forgives.decisive_cable) + " matters most (" +
+            words.mm(forgives.decisive) + ")";
+  if (forgives.first_slack >= 0)
+    text += "; cable " + std::to_string(forgives.first_slack) +
+            " goes slack first (errors all at their worst: " +
+            errors_words(forgives, forgives.slack_at, words) + ")";
+  return text;
+}
+
+std::string line(const ComesBack& comes_back, const Words& words) {
+  std::string text = "comes back:";
+  const char* separator = " ";
+  for (const Pushes& pushes : comes_back.pushes) {
+    text += separator + std::to_string(pushes.back) + " of " + std::to_string(pushes.tried) +
+            " pushes by " + words.mm(pushes.size);
+    if (pushes.lost > 0) text += " (" + std::to_string(pushes.lost) + " come to no rest)";
+    if (pushes.strands_met > 0)
+      text += " (" + std::to_string(pushes.strands_met) +
+              " of them where strands may have passed through each other)";
+    separator = ", ";
+  }
+  for (const OtherPose& other : comes_back.others)
+    text += "; another pose " + words.mm(other.distance) + " away, " +
+            words.joules(std::abs(other.energy)) + (other.energy < 0 ? " lower" : " higher") +
+            ", " + std::to_string(other.times) + " times";
+  return text;
+}
+
+std::string line(const Holds& holds, const Words& words) {
+  std::string text = "holds: ";
+  if (holds.rod >= 0)
+    text += "largest strain " + Words::percent(holds.strain) + " (rod " +
+            std::to_string(holds.rod) + " at " + words.mm(holds.s) + "; " + holds.material +
+            " bears " + Words::percent(holds.strain_limit) + ")";
+  else
+    text += "strain not known, for the file gives no shape of sections";
+  if (holds.cable >= 0)
+    text += "; largest tension " + words.newtons(holds.tension) + " (cable " +
+            std::to_string(holds.cable) + "), " +
+            Words::percent(holds.tension / holds.breaking_load) + " of the breaking load " +
+            words.newtons(holds.breaking_load);
+  if (!holds.sag) return text + "; sag under its own weight not known";
+  text += "; sags by " + words.mm(*holds.sag) + " under its own weight, ";
+  return text + (holds.hung_rod < 0
+                     ? "held as it is"
+                     : "hung from its best place, vertex " + std::to_string(holds.hung_vertex) +
+                           " of rod " + std::to_string(holds.hung_rod));
+}
+
+std::string line(const Converged& converged, const Words& words) {
+  std::string text = converged.converged ? "converged: yes" : "converged: no";
+  for (const Refinement& refinement : converged.refinements)
+    text += ", " + std::to_string(refinement.times) + " edges for each: " +
+            (refinement.settles ? "moves by " + words.mm(refinement.moved) : "no rest");
+  text += "; the pose is about " + words.mm(converged.distance) + " from converged";
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> shortfalls(const Check& check, const CheckUnits& units) {
+  const Words words(units);
+  Reasons reasons;
+  if (check.stands) add_shortfalls(*check.stands, reasons);
+  if (check.forgives) add_shortfalls(*check.forgives, words, reasons);
+  if (check.comes_back) add_shortfalls(*check.comes_back, words, reasons);
+  if (check.holds) add_shortfalls(*check.holds, words, reasons);
+  if (check.converged) add_shortfalls(*check.converged, words, reasons);
+  return reasons;
+}
+
+std::string report(const Check& check, const CheckUnits& units) {
+  const Words words(units);
+  std::string text;
+  if (check.stands) text += line(*check.stands, words) + '\n';
+  if (check.forgives) text += line(*check.forgives, words) + '\n';
+  if (check.comes_back) text += line(*check.comes_back, words) + '\n';
+  if (check.holds) text += line(*check.holds, words) + '\n';
+  if (check.converged) text += line(*check.converged, words) + '\n';
+  for (const std::string& reason : shortfalls(check, units)) text += "fails: " + reason + '\n';
+  return text;
+}
+
+}  // namespace tencer::model

@@ -1,0 +1,38 @@
+// Whether a design can be built and does then what it should.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <tencer/core/error.hpp>
+#include <tencer/model/check.hpp>
+#include <tencer/model/design.hpp>
+
+namespace tencer::pipeline {
+
+// Lengths in mm, whatever the design's unit.
+struct CheckOptions {
+  double length_error_mm = 1.0;      // of a cable's length, at most
+  double attachment_error_mm = 2.0;  // of where a cable is tied along a rod, at most
+  // What 95 % of the structures built so may be off by; not set: 1 % of the target's bounding-box
+  // diagonal.
+  std::optional<double> max_deviation_mm = std::nullopt;
+  // Of a cable: a 1 mm wire rope (7 x 7) of stainless steel, by a typical table.
+  double breaking_load_newtons = 560;
+  int draws = 10000;  // of errors, to first order
+  std::uint64_t seed = 1;
+  std::stop_token stop{};
+
+  // Throws std::invalid_argument, naming the field, for values out of range.
+  void validate() const;
+};
+
+struct [[nodiscard]] Checked {
+  model::Design design{};  // as it comes to rest from its pose with inextensible cables
+  model::Check check{};    // of that; where it does not come to rest, `stands` alone
+};
+
+// Errors: as simulate().
+core::Expected<Checked> check(const model::Design& design, const CheckOptions& options = {});
+
+}  // namespace tencer::pipeline

@@ -1,0 +1,60 @@
+#include <cmath>
+#include <tencer/model/units.hpp>
+#include <tencer/pipeline/check.hpp>
+#include <tencer/pipeline/design_state.hpp>
+#include <tencer/pipeline/simulate.hpp>
+
+#include "check/pose.hpp"
+
+namespace tencer::pipeline {
+
+void CheckOptions::validate() const {
+  const auto error = [](double value) { return value >= 0 && std::isfinite(value); };
+  core::require(error(length_error_mm), "CheckOptions::length_error_mm must not be negative");
+  core::require(error(attachment_error_mm),
+                "CheckOptions::attachment_error_mm must not be negative");
+  core::require(!max_deviation_mm || (*max_deviation_mm > 0 && std::isfinite(*max_deviation_mm)),
+                "CheckOptions::max_deviation_mm must be positive");
+  core::require(breaking_load_newtons > 0 && std::isfinite(breaking_load_newtons),
+                "CheckOptions::breaking_load_newtons must be positive");
+  core::require(draws >= 1, "CheckOptions::draws must be at least 1");
+}
+
+RestPose rest_pose(const model::Design& design) {
+  RestPose pose{.design = design,
+                .scaling = model::scaling_of(design.structure, design.target),
+                .structure = {},
+                .state = {},
+                .tensions = Eigen::VectorXd(static_cast<Eigen::Index>(design.built.size()))};
+  pose.structure = model::scaled(model::as_built(design), pose.scaling);
+  pose.state = pose_state(design, pose.structure, pose.scaling);
+  for (Eigen::Index c = 0; c < pose.tensions.size(); ++c)
+    pose.tensions[c] = design.built[c].tension / pose.scaling.scale.force();
+  return pose;
+}
+
+double millimetre_of(const model::Design& design) {
+  return 1e-3 / model::metres(design.length_unit);
+}
+
+double size_of(const model::Design& design) {
+  return model::diagonal(model::make_target(design.structure, design.target));
+}
+
+core::Expected<Checked> check(const model::Design& design, const CheckOptions& options) {
+  options.validate();
+  const auto rest = simulate(design, {.solve = {.stop = options.stop}});
+  if (!rest) return rest.error();
+  Checked result{.design = rest->design};
+  const RestPose pose = rest_pose(rest->design);
+  model::Check& found = result.check;
+  found.stands = stands(pose, rest->moved_percent / 100 * size_of(design));
+  if (!rest->usable()) return result;
+  found.forgives = forgives(pose, options);
+  found.comes_back = comes_back(pose, options);
+  found.holds = holds(pose, options);
+  found.converged = converged(rest->design, options);
+  return result;
+}
+
+}  // namespace tencer::pipeline

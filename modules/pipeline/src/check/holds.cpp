@@ -1,0 +1,40 @@
+#include <algorithm>
+#include <tencer/certify/own_weight.hpp>
+#include <tencer/model/material.hpp>
+#include <tencer/model/units.hpp>
+
+#include "check/pose.hpp"
+
+namespace tencer::pipeline {
+
+model::Holds holds(const RestPose& pose, const CheckOptions& options) {
+  constexpr double gravity = 9.81;  // m/s^2
+  const model::Design& design = pose.design;
+  const model::Material& material = model::glass_fibre();
+  model::Holds result{
+      .material = material.name,
+      .strain_limit = material.strain_limit,
+      .breaking_load = options.breaking_load_newtons / model::newtons(design.force_unit)};
+  for (int r = 0; r < static_cast<int>(design.strains.size()); ++r)
+    if (const auto& strain = design.strains[r]; strain && strain->strain >= result.strain) {
+      result.strain = strain->strain;
+      result.rod = r;
+      result.s = strain->s;
+    }
+  for (int c = 0; c < static_cast<int>(design.built.size()); ++c)
+    if (design.built[c].tension > result.tension) {
+      result.tension = design.built[c].tension;
+      result.cable = c;
+    }
+  // Masses are in force s^2 / length^2, so the acceleration is in lengths.
+  const double metre = model::metres(design.length_unit) * pose.scaling.scale.length;
+  const auto sag = certify::own_weight_sag(pose.structure, pose.state, pose.tensions,
+                                           gravity / metre * mass_per_length(pose));
+  if (!sag.computed) return result;
+  result.sag = sag.deviation * pose.scaling.scale.length;
+  result.hung_rod = sag.rod;
+  result.hung_vertex = sag.vertex;
+  return result;
+}
+
+}  // namespace tencer::pipeline

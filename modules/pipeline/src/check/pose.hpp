@@ -1,0 +1,47 @@
+// A design at rest, as the sections of a check look at it.
+#pragma once
+
+#include <tencer/model/check.hpp>
+#include <tencer/model/design.hpp>
+#include <tencer/model/scaling.hpp>
+#include <tencer/model/state.hpp>
+#include <tencer/model/target.hpp>
+#include <tencer/pipeline/check.hpp>
+
+namespace tencer::pipeline {
+
+struct RestPose {
+  const model::Design& design;  // at rest, in its units
+  model::Scaling scaling;
+  // Scaled: the structure with its cables as built, where it is, and one tension a cable.
+  model::Structure structure;
+  model::State state;
+  Eigen::VectorXd tensions;
+};
+
+RestPose rest_pose(const model::Design& design);
+
+// Per rod, of the scaled structure: kg/m in its force times second^2 per length^2.
+Eigen::VectorXd mass_per_length(const RestPose& pose);
+
+// How many of the design's lengths a millimetre is.
+double millimetre_of(const model::Design& design);
+
+// The target's bounding-box diagonal, a length.
+double size_of(const model::Design& design);
+
+// moved: how far the design came from the pose it was given in, a length.
+model::Stands stands(const RestPose& pose, double moved);
+
+// Not set where the pose has no first order.
+std::optional<model::Forgives> forgives(const RestPose& pose, const CheckOptions& options);
+
+// Not set where the modes to push along are not known.
+std::optional<model::ComesBack> comes_back(const RestPose& pose, const CheckOptions& options);
+
+model::Holds holds(const RestPose& pose, const CheckOptions& options);
+
+// Not set when it was stopped before the first.
+std::optional<model::Converged> converged(const model::Design& design, const CheckOptions& options);
+
+}  // namespace tencer::pipeline

@@ -1,0 +1,133 @@
+// Checks in real units against closed forms, and alike in other units.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <tencer/model/material.hpp>
+#include <tencer/pipeline/check.hpp>
+
+using namespace tencer;
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double length_cm = 50;
+constexpr double radius_cm = 0.1;
+constexpr double youngs_modulus = 4e6;  // N/cm^2
+constexpr int edges = 60;
+
+// A straight glass fibre rod along x, in lengths of `centimetre` times a cm.
+model::Design rod(double centimetre, const std::string& length_unit) {
+  model::Design design;
+  design.length_unit = length_unit;
+  const double length = length_cm * centimetre;
+  design.structure.rods = {{.section = der::solid_circle(youngs_modulus / (centimetre * centimetre),
+                                                         0.3, radius_cm * centimetre),
+                            .rest_lengths = Eigen::VectorXd::Constant(edges, length / edges)}};
+  Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Zero(3, edges + 1);
+  x.row(0) = Eigen::RowVectorXd::LinSpaced(edges + 1, 0, length);
+  design.target = design.pose = {x};
+  design.target_directors = design.pose_directors = {Eigen::Matrix3Xd(3, 0)};
+  return design;
+}
+
+model::Design cantilever() {
+  model::Design design = rod(1, "cm");
+  design.structure.pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = 1}};
+  return design;
+}
+
+// Bent by a string between its ends, 5 % shorter than the rod.
+model::Design bow(double centimetre, const std::string& length_unit) {
+  model::Design design = rod(centimetre, length_unit);
+  const double length = length_cm * centimetre;
+  design.structure.cables = {{.a = springs::OnRod{0, 0}, .b = springs::OnRod{0, length}}};
+  for (int i = 0; i <= edges; ++i)
+    design.pose[0](1, i) = 0.2 * length * std::sin(std::numbers::pi * i / edges);
+  design.target = design.pose;
+  design.built = {{.length = 0.95 * length, .tension = 1}};
+  return design;
+}
+
+}  // namespace
+
+TEST_CASE("a glass fibre rod clamped at one end sounds and sags as a beam, in Hz and cm") {
+  const auto checked = pipeline::check(cantilever());
+  REQUIRE(checked);
+  const model::Check& check = checked->check;
+  REQUIRE(check.stands);
+  CHECK(check.stands->certified);
+  CHECK(check.stands->free_groups.empty());
+  const double radius = radius_cm / 100, length = length_cm / 100 * (1 - 0.5 / edges);  // m
+  const double bending = youngs_modulus * 1e4 * std::numbers::pi * std::pow(radius, 4) / 4;
+  const double mass = *model::glass_fibre().density * std::numbers::pi * radius * radius;
+  REQUIRE(check.stands->hertz.size() == 10);
+  CHECK_THAT(check.stands->hertz[0],
+             WithinRel(3.516015 / (2 * std::numbers::pi) *
+                           std::sqrt(bending / (mass * std::pow(length, 4))),
+                       2e-3));
+  REQUIRE(check.holds);
+  REQUIRE(check.holds->sag);
+  CHECK_THAT(*check.holds->sag / 100,
+             WithinRel(mass * 9.81 * std::pow(length, 4) / (8 * bending), 5e-3));
+  REQUIRE(check.forgives);
+  CHECK(check.forgives->worst == 0);
+  REQUIRE(check.converged);
+  CHECK(check.converged->converged);
+  REQUIRE(check.comes_back);
+  for (const auto& pushes : check.comes_back->pushes) CHECK(pushes.back == pushes.tried);
+  CHECK(model::shortfalls(check, {"cm", "N"}).empty());
+}
+
+TEST_CASE("a bow's check says the same in cm and mm") {
+  const auto cm = pipeline::check(bow(1, "cm"));
+  const auto mm = pipeline::check(bow(10, "mm"));
+  REQUIRE(cm);
+  REQUIRE(mm);
+  REQUIRE(cm->check.holds);
+  REQUIRE(mm->check.holds);
+  CHECK_THAT(mm->check.holds->tension, WithinRel(cm->check.holds->tension, 1e-6));
+  CHECK_THAT(mm->check.holds->strain, WithinRel(cm->check.holds->strain, 1e-6));
+  CHECK_THAT(*mm->check.holds->sag, WithinRel(10 * *cm->check.holds->sag, 1e-5));
+  CHECK_THAT(mm->check.stands->hertz[0], WithinRel(cm->check.stands->hertz[0], 1e-5));
+  CHECK_THAT(mm->check.forgives->percentile_95,
+             WithinRel(10 * cm->check.forgives->percentile_95, 1e-5));
+  // A string 1 mm longer or shorter parts the ends by as much.
+  CHECK(cm->check.forgives->worst > 0.02);
+  CHECK(cm->check.forgives->decisive_cable == 0);
+  const std::string text = model::report(cm->check, {"cm", "N"});
+  CHECK_THAT(text, Contains("cables cut to 1 mm and tied to 2 mm: within "));
+}
+
+TEST_CASE("an arch that swings about the line through its pins fails, and the line is named") {
+  model::Design arch = bow(1, "cm");
+  arch.structure.pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = edges}};
+  arch.structure.cables.clear();
+  arch.built.clear();
+  arch.pose[0].row(0) *= 0.9;
+  arch.target = arch.pose;
+  const auto checked = pipeline::check(arch);
+  REQUIRE(checked);
+  const auto fails = model::shortfalls(checked->check, {"cm", "N"});
+  REQUIRE_FALSE(fails.empty());
+  CHECK_THAT(fails.front(), Contains("stands: rod 0 turns about the line through ("));
+}
+
+TEST_CASE("strain, tension and deviation beyond what is allowed fail") {
+  const auto checked =
+      pipeline::check(bow(1, "cm"), {.max_deviation_mm = 0.01, .breaking_load_newtons = 1e-3});
+  REQUIRE(checked);
+  const auto fails = model::shortfalls(checked->check, {"cm", "N"});
+  const auto named = [&](const std::string& start) {
+    return std::ranges::any_of(fails, [&](const auto& fail) { return fail.starts_with(start); });
+  };
+  CHECK(named("forgives: with cables cut to 1 mm"));
+  CHECK(named("holds: cable 0 pulls with"));
+}
+
+TEST_CASE("options out of range are refused") {
+  CHECK_THROWS_AS(pipeline::check(cantilever(), {.length_error_mm = -1}), std::invalid_argument);
+  CHECK_THROWS_AS(pipeline::check(cantilever(), {.max_deviation_mm = 0.0}), std::invalid_argument);
+  CHECK_THROWS_AS(pipeline::check(cantilever(), {.draws = 0}), std::invalid_argument);
+}
