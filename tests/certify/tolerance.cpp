@@ -110,6 +110,7 @@ TEST_CASE("draws of two equal bows deviate as the larger of two uniform errors")
   CHECK_THAT(found.worst, WithinRel(each, 1e-3));
   CHECK(found.worst <= each);
   CHECK_THAT(found.decisive, WithinRel(each / std::sqrt(3.0), 1e-6));
+  CHECK_THAT(certify::typical_deviation(response, lengths), WithinRel(each / std::sqrt(3.0), 1e-6));
   // All are alike: a cable goes slack when its own error has undone its tension.
   CHECK_THAT(found.slack_at,
              WithinRel(bows.tensions[0] / (error * std::abs(response.tension(0, 0))), 1e-6));

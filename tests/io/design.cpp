@@ -65,6 +65,7 @@ Design sample() {
                                    .smallest_eigenvalue = -number(),
                                    .slack_cables = 1,
                                    .stable = false,
+                                   .off_by_errors = 0.25,
                                    .settles_from_target = false};
   design.trace = {{"prune", number(), 87, no_number, no_number, 3, 40, "a, b"},
                   {"greedy", number(), 51, number(), number(), 5, 60, ""}};
@@ -147,6 +148,7 @@ TEST_CASE("a design is read back to the last bit") {
   CHECK(read->certificate->smallest_eigenvalue == design.certificate->smallest_eigenvalue);
   CHECK(read->certificate->slack_cables == 1);
   CHECK_FALSE(read->certificate->stable);
+  CHECK(read->certificate->off_by_errors == 0.25);
   CHECK(read->certificate->settles_from_target == false);
   CHECK(found.planar);
   REQUIRE(read->trace.size() == 2);

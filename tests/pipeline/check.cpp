@@ -96,6 +96,9 @@ TEST_CASE("a bow's check says the same in cm and mm") {
   // A string 1 mm longer or shorter parts the ends by as much.
   CHECK(cm->check.forgives->worst > 0.02);
   CHECK(cm->check.forgives->decisive_cable == 0);
+  CHECK(cm->check.forgives->settled == 30);
+  CHECK(cm->check.forgives->fallen == 0);
+  CHECK(cm->check.forgives->settled_worst <= 1.05 * cm->check.forgives->worst);
   const std::string text = model::report(cm->check, {"cm", "N"});
   CHECK_THAT(text, Contains("cables cut to 1 mm and tied to 2 mm: within "));
 }
@@ -110,8 +113,9 @@ TEST_CASE("an arch that swings about the line through its pins fails, and the li
   const auto checked = pipeline::check(arch);
   REQUIRE(checked);
   const auto fails = model::shortfalls(checked->check, {"cm", "N"});
-  REQUIRE_FALSE(fails.empty());
-  CHECK_THAT(fails.front(), Contains("stands: rod 0 turns about the line through ("));
+  CHECK(std::ranges::any_of(fails, [](const auto& fail) {
+    return fail.starts_with("stands: rod 0 turns about the line through (");
+  }));
 }
 
 TEST_CASE("strain, tension and deviation beyond what is allowed fail") {

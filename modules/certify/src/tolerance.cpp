@@ -106,6 +106,22 @@ Eigen::MatrixXd unit_draws(int parameters, int draws, std::uint64_t seed) {
       parameters, draws, [&] { return std::ldexp(static_cast<double>(engine() >> 11), -52) - 1; });
 }
 
+double typical_deviation(const PoseResponse& response, const CableErrors& errors) {
+  core::require(response.computed, "typical_deviation: needs a response");
+  // A uniform error up to e has the mean square e^2 / 3.
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(response.displacement.rows() / 3);
+  for (std::size_t p = 0; p < response.parameters.size(); ++p) {
+    const double limit = limit_of(errors, response.parameters[p]);
+    squares += limit * limit / 3 *
+               response.displacement.col(static_cast<Eigen::Index>(p))
+                   .reshaped(3, squares.size())
+                   .colwise()
+                   .squaredNorm()
+                   .transpose();
+  }
+  return std::sqrt(squares.maxCoeff());
+}
+
 Tolerance tolerance(const PoseResponse& response, const Eigen::VectorXd& tensions,
                     const CableErrors& errors, int draws, std::uint64_t seed) {
   core::require(response.computed, "tolerance: needs a response");

@@ -1,12 +1,29 @@
 #include "record.hpp"
 
+#include <algorithm>
 #include <range/v3/view/zip.hpp>
+#include <tencer/certify/tolerance.hpp>
 #include <tencer/equilibrium/inextensible.hpp>
 #include <tencer/model/frames.hpp>
+#include <tencer/model/units.hpp>
 #include <tencer/network/network.hpp>
 #include <tencer/sensitivity/distance.hpp>
 
 namespace tencer::pipeline {
+namespace {
+
+// Certificate::off_by_errors.
+std::optional<double> off_by_errors(const Solved& solved, const model::Scaling& scaling,
+                                    const std::string& length_unit) {
+  if (!std::ranges::count(model::length_units(), length_unit)) return std::nullopt;
+  const auto response = certify::pose_response(solved.structure, solved.state, solved.tensions);
+  if (!response.computed || response.parameters.empty()) return std::nullopt;
+  const double millimetre = 1e-3 / model::metres(length_unit) / scaling.scale.length;
+  return scaling.scale.length *
+         certify::typical_deviation(response, {.length = millimetre, .attachment = 2 * millimetre});
+}
+
+}  // namespace
 
 void record(const Solved& solved, const model::Scaling& scaling, model::Design& design) {
   const auto& [structure, state, tensions, target] = solved;
@@ -30,6 +47,8 @@ void record(const Solved& solved, const model::Scaling& scaling, model::Design& 
   }
   design.error = {.max_percent = deviation.max_percent, .rms_percent = deviation.rms_percent};
   design.certificate = assessment.certificate();
+  if (assessment.certified())
+    design.certificate->off_by_errors = off_by_errors(solved, scaling, design.length_unit);
 }
 
 }  // namespace tencer::pipeline

@@ -20,17 +20,23 @@ Json to_json(const Stands& stands) {
 Json cable_or_none(int cable) { return cable < 0 ? Json(nullptr) : Json(cable); }
 
 Json to_json(const Forgives& forgives) {
-  return {{"length_error", forgives.length_error},
-          {"attachment_error", forgives.attachment_error},
-          {"max_deviation", forgives.max_deviation},
-          {"draws", forgives.draws},
-          {"expected", forgives.expected},
-          {"percentile_95", forgives.percentile_95},
-          {"worst", forgives.worst},
-          {"decisive_cable", cable_or_none(forgives.decisive_cable)},
-          {"decisive", forgives.decisive},
-          {"first_slack", cable_or_none(forgives.first_slack)},
-          {"slack_at", forgives.slack_at}};
+  Json result{{"length_error", forgives.length_error},
+              {"attachment_error", forgives.attachment_error},
+              {"max_deviation", forgives.max_deviation},
+              {"draws", forgives.draws},
+              {"expected", forgives.expected},
+              {"percentile_95", forgives.percentile_95},
+              {"worst", forgives.worst},
+              {"decisive_cable", cable_or_none(forgives.decisive_cable)},
+              {"decisive", forgives.decisive},
+              {"first_slack", cable_or_none(forgives.first_slack)},
+              {"slack_at", forgives.slack_at},
+              {"settled", forgives.settled},
+              {"fallen", forgives.fallen},
+              {"settled_worst", forgives.settled_worst},
+              {"falls_up_to", forgives.falls_up_to}};
+  if (forgives.falls_at) result["falls_at"] = *forgives.falls_at;
+  return result;
 }
 
 Json to_json(const ComesBack& comes_back) {

@@ -176,6 +176,8 @@ Certificate read_certificate(const JsonValue& value) {
                           .smallest_eigenvalue = value["smallest_eigenvalue"].number(),
                           .slack_cables = value["slack_cables"].integer(0),
                           .stable = value["stable"].boolean()};
+  if (value.has("off_by_errors"))
+    certificate.off_by_errors = value["off_by_errors"].at_least_zero();
   if (value.has("settles_from_target"))
     certificate.settles_from_target = value["settles_from_target"].boolean();
   return certificate;

@@ -91,6 +91,7 @@ Json to_json(const Certificate& certificate) {
   result["eigenvalue_unit"] = eigenvalue_unit;
   result["slack_cables"] = certificate.slack_cables;
   result["stable"] = certificate.stable;
+  if (certificate.off_by_errors) result["off_by_errors"] = *certificate.off_by_errors;
   if (certificate.settles_from_target)
     result["settles_from_target"] = *certificate.settles_from_target;
   return result;

@@ -36,7 +36,9 @@ void add_if(bool fails, const std::string& reason, Reasons& reasons) {
   if (fails) reasons.push_back(reason);
 }
 
-void add_shortfalls(const Stands& stands, Reasons& reasons) {
+void add_shortfalls(const Stands& stands, const Words& words, Reasons& reasons) {
+  add_if(stands.moved > stands.allowed,
+         "stands: it comes to rest " + words.mm(stands.moved) + " from the file's pose", reasons);
   add_if(!stands.certified, "stands: it does not stand in this pose", reasons);
   for (const std::string& group : stands.free_groups)
     reasons.push_back("stands: " + group + " at no cost");
@@ -52,6 +54,11 @@ void add_shortfalls(const Forgives& forgives, const Words& words, Reasons& reaso
          "forgives: with " + errors_words(forgives, 1, words) + " it is within " +
              words.mm(forgives.percentile_95) + ", not the " + words.mm(forgives.max_deviation) +
              " allowed",
+         reasons);
+  add_if(forgives.fallen > 0,
+         "forgives: " + std::to_string(forgives.fallen) + " of " +
+             std::to_string(forgives.settled) + " fall to another pose, the first with " +
+             errors_words(forgives, forgives.falls_at.value_or(1), words),
          reasons);
 }
 
@@ -108,7 +115,12 @@ std::string line(const Forgives& forgives, const Words& words) {
     text += "; cable " + std::to_string(forgives.first_slack) +
             " goes slack first (errors all at their worst: " +
             errors_words(forgives, forgives.slack_at, words) + ")";
-  return text;
+  if (forgives.settled == 0) return text;
+  text += "; " + std::to_string(forgives.settled) + " let settle: worst " +
+          words.mm(forgives.settled_worst) + ", " + std::to_string(forgives.fallen) + " fall; ";
+  return text + (forgives.falls_at
+                     ? "the first falls with " + errors_words(forgives, *forgives.falls_at, words)
+                     : "none falls up to " + errors_words(forgives, forgives.falls_up_to, words));
 }
 
 std::string line(const ComesBack& comes_back, const Words& words) {
@@ -165,7 +177,7 @@ std::string line(const Converged& converged, const Words& words) {
 std::vector<std::string> shortfalls(const Check& check, const CheckUnits& units) {
   const Words words(units);
   Reasons reasons;
-  if (check.stands) add_shortfalls(*check.stands, reasons);
+  if (check.stands) add_shortfalls(*check.stands, words, reasons);
   if (check.forgives) add_shortfalls(*check.forgives, words, reasons);
   if (check.comes_back) add_shortfalls(*check.comes_back, words, reasons);
   if (check.holds) add_shortfalls(*check.holds, words, reasons);

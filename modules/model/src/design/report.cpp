@@ -2,12 +2,17 @@
 #include <iomanip>
 #include <sstream>
 #include <tencer/model/design.hpp>
+#include <tencer/model/units.hpp>
 
 namespace tencer::model {
 namespace {
 
 std::string counted(int count, const std::string& thing) {
   return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
+}
+
+double millimetres(const Design& design, double length) {
+  return 1000 * metres(design.length_unit) * length;
 }
 
 std::string status_words(DesignStatus status) {
@@ -90,6 +95,9 @@ std::string summary(const Design& design) {
        << " with inextensible cables: force imbalance " << certificate.residual
        << ", smallest eigenvalue " << certificate.smallest_eigenvalue << " (" << eigenvalue_unit
        << "), " << counted(certificate.slack_cables, "slack cable") << '\n';
+  if (certificate.off_by_errors)
+    text << "cables cut to 1 mm and tied to 2 mm: off by about "
+         << millimetres(design, *certificate.off_by_errors) << " mm (tencer check tells more)\n";
   if (certificate.settles_from_target)
     text << (*certificate.settles_from_target
                  ? "let go at the target it comes to rest in this pose\n"
@@ -104,6 +112,9 @@ std::string Design::brief_report() const {
   if (error) text << ", max error " << error->max_percent << " %";
   if (certificate) {
     text << (certificate->stable ? ", stands" : ", does not stand");
+    if (certificate->off_by_errors)
+      text << ", off by about " << millimetres(*this, *certificate->off_by_errors)
+           << " mm when cut to 1 mm";
     if (certificate->settles_from_target)
       text << (*certificate->settles_from_target ? ", settles from the target"
                                                  : ", settles elsewhere");

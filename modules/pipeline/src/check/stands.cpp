@@ -37,7 +37,9 @@ model::Stands stands(const RestPose& pose, double moved) {
   const model::Certificate& certificate = *pose.design.certificate;
   const auto modes =
       certify::vibration_modes(pose.structure, pose.state, pose.tensions, mass_per_length(pose));
+  constexpr double another_pose = 0.01;  // of the size
   model::Stands result{.moved = moved,
+                       .allowed = another_pose * size_of(pose.design),
                        .residual = certificate.residual,
                        .smallest_eigenvalue = certificate.smallest_eigenvalue,
                        .slack_cables = certificate.slack_cables,

@@ -43,6 +43,10 @@ double limit_of(const CableErrors& errors, const springs::Parameter& parameter);
 // A row of `draws` for every parameter (P x draws): uniform in [-1, 1], the same for the same seed.
 Eigen::MatrixXd unit_draws(int parameters, int draws, std::uint64_t seed);
 
+// Without draws: the root mean square of how far errors move the vertex that they move most. Throws
+// std::invalid_argument unless the response is computed.
+double typical_deviation(const PoseResponse& response, const CableErrors& errors);
+
 struct Tolerance {
   // The deviation of a draw is the largest distance of a vertex from the pose. Lengths.
   double expected = 0.0;

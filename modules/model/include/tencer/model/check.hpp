@@ -9,7 +9,8 @@
 namespace tencer::model {
 
 struct Stands {
-  double moved = 0.0;  // a vertex, from the file's pose to where it comes to rest: a length
+  double moved = 0.0;    // a vertex, from the file's pose to where it comes to rest: a length
+  double allowed = 0.0;  // motion at which that is another pose
   double residual = 0.0;
   double smallest_eigenvalue = 0.0;  // in eigenvalue_unit (certificate.hpp)
   int slack_cables = 0;
@@ -33,6 +34,13 @@ struct Forgives {
   double decisive = 0.0;    // root mean square of how far
   int first_slack = -1;     // the cable that errors let go slack first; -1: none
   double slack_at = 0.0;    // by this many times the errors, all at their worst
+  // Some of the draws let settle, along the path of poses from no errors to theirs.
+  int settled = 0;
+  int fallen = 0;              // left the path for another pose
+  double settled_worst = 0.0;  // largest deviation of those that did not
+  // By so many times the errors the first of them falls; not set: none does up to falls_up_to.
+  std::optional<double> falls_at = std::nullopt;
+  double falls_up_to = 0.0;
 };
 
 // Pushes out of the pose along its softest motions, smooth and rough, and letting go.

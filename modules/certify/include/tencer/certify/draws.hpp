@@ -1,0 +1,34 @@
+// Structures built with errors of their cables and let settle: what tolerance.hpp tells to first
+// order, without its limits.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <tencer/certify/tolerance.hpp>
+
+namespace tencer::certify {
+
+// One structure built with errors.
+struct Draw {
+  double deviation = 0.0;  // largest distance of a vertex from the pose, aligned as there
+  bool rests = true;       // false: it was not found where it comes to rest
+  // The part of the way from no errors to these at which the path of its poses turns, so that it
+  // falls to another pose; not set: it follows them all the way.
+  std::optional<double> falls_at = std::nullopt;
+};
+
+// The draws of unit_draws with these errors, each along its path from the pose (equilibrium/
+// path.hpp). Fewer when stopped. Errors that leave a cable no length leave it a millionth of it.
+std::vector<Draw> settle_draws(const model::Structure& structure, const model::State& state,
+                               const Eigen::VectorXd& tensions, const CableErrors& errors,
+                               int draws, std::uint64_t seed, const std::stop_token& stop = {});
+
+// By how many times the errors the first of the draws falls, looked for by doubling them from one
+// to `most`; not set: none falls.
+std::optional<double> first_fall(const model::Structure& structure, const model::State& state,
+                                 const Eigen::VectorXd& tensions, const CableErrors& errors,
+                                 int draws, std::uint64_t seed, double most,
+                                 const std::stop_token& stop = {});
+
+}  // namespace tencer::certify

@@ -1,0 +1,92 @@
+// A check in words: mm, newtons and per cent whatever the design's units.
+#include <catch2/catch.hpp>
+#include <tencer/model/check.hpp>
+
+using namespace tencer::model;
+using Catch::Matchers::Contains;
+
+namespace {
+
+// All well, in cm and kN.
+Check fine() {
+  Check check;
+  check.stands = {.moved = 0.01, .allowed = 1, .certified = true, .hertz = {3.125, 4.5}};
+  check.forgives = {.length_error = 0.1,
+                    .attachment_error = 0.2,
+                    .max_deviation = 1,
+                    .draws = 100,
+                    .percentile_95 = 0.25,
+                    .worst = 0.5,
+                    .decisive_cable = 3,
+                    .first_slack = 2,
+                    .slack_at = 4,
+                    .settled = 30,
+                    .falls_up_to = 8};
+  check.comes_back = {.pushes = {{.size = 1, .tried = 20, .back = 20, .strands_met = 1}}};
+  check.holds = {.strain = 0.005,
+                 .rod = 1,
+                 .s = 2,
+                 .material = "glass fibre",
+                 .strain_limit = 0.01,
+                 .tension = 0.05,
+                 .cable = 4,
+                 .breaking_load = 0.5,
+                 .sag = 0.3};
+  check.converged = {.refinements = {{.times = 2, .moved = 0.01}}, .converged = true};
+  return check;
+}
+
+const CheckUnits units{"cm", "kN"};
+
+}  // namespace
+
+TEST_CASE("what is fine is told in mm, N and per cent, and nothing fails") {
+  const std::string text = report(fine(), units);
+  for (const char* part :
+       {"stands: yes", "lowest modes 3.12, 4.5 Hz",
+        "cables cut to 1 mm and tied to 2 mm: within 2.5 mm (95 %)", "worst 5 mm of 100 draws",
+        "cable 3 matters most", "cables cut to 4 mm and tied to 8 mm)",
+        "none falls up to cables cut to 8 mm and tied to 16 mm",
+        "20 of 20 pushes by 10 mm (1 of them where strands may have passed",
+        "largest strain 0.5 % (rod 1 at 20 mm; glass fibre bears 1 %)",
+        "largest tension 50 N (cable 4), 10 % of the breaking load 500 N",
+        "sags by 3 mm under its own weight", "2 edges for each: moves by 0.1 mm"})
+    CHECK_THAT(text, Contains(part));
+  CHECK_THAT(text, !Contains("fails"));
+  CHECK(shortfalls(fine(), units).empty());
+  CHECK(report({}, units).empty());
+}
+
+TEST_CASE("each section fails for its own reason") {
+  const auto fails = [](auto&& change) {
+    Check check = fine();
+    change(check);
+    const auto reasons = shortfalls(check, units);
+    REQUIRE(reasons.size() == 1);
+    CHECK_THAT(report(check, units), Contains("fails: " + reasons[0] + '\n'));
+    return reasons[0];
+  };
+  CHECK(fails([](Check& check) { check.stands->certified = false; }) ==
+        "stands: it does not stand in this pose");
+  CHECK(fails([](Check& check) { check.stands->moved = 2; }) ==
+        "stands: it comes to rest 20 mm from the file's pose");
+  CHECK(fails([](Check& check) { check.stands->free_groups = {"rod 0 moves freely"}; }) ==
+        "stands: rod 0 moves freely at no cost");
+  CHECK(fails([](Check& check) { check.forgives->percentile_95 = 2; }) ==
+        "forgives: with cables cut to 1 mm and tied to 2 mm it is within 20 mm, not the 10 mm "
+        "allowed");
+  CHECK(fails([](Check& check) {
+          check.forgives->fallen = 7;
+          check.forgives->falls_at = 0.4;
+        }) ==
+        "forgives: 7 of 30 fall to another pose, the first with cables cut to 0.4 mm and tied to "
+        "0.8 mm");
+  CHECK(fails([](Check& check) { check.comes_back->pushes[0].back = 19; }) ==
+        "comes back: pushed by 10 mm it comes back 19 times of 20");
+  CHECK(fails([](Check& check) { check.holds->strain = 0.02; }) ==
+        "holds: rod 1 is strained by 2 %, glass fibre bears 1 %");
+  CHECK(fails([](Check& check) { check.holds->tension = 0.6; }) ==
+        "holds: cable 4 pulls with 600 N and breaks at 500 N");
+  CHECK(fails([](Check& check) { check.converged->converged = false; }) ==
+        "converged: with 2 edges for each the pose still moves by 0.1 mm");
+}
