@@ -42,28 +42,28 @@ std::vector<Draw> settle_draws(const model::Structure& structure, const model::S
     Draw& one = result.emplace_back();
     one.rests = found.rest.equilibrium.usable();
     one.deviation = sensitivity::deviation(target, found.rest.equilibrium.state).max;
-    if (!found.held)
-      one.falls_at = 0;
-    else
-      one.falls_at = found.fold_at;
+    one.followed = found.held;
+    one.falls_at = found.fold_at;
   }
   return result;
 }
 
-std::optional<double> first_fall(const model::Structure& structure, const model::State& state,
-                                 const Eigen::VectorXd& tensions, const CableErrors& errors,
-                                 int draws, std::uint64_t seed, double most,
-                                 const std::stop_token& stop) {
+FirstFall first_fall(const model::Structure& structure, const model::State& state,
+                     const Eigen::VectorXd& tensions, const CableErrors& errors, int draws,
+                     std::uint64_t seed, double most, const std::stop_token& stop) {
+  FirstFall result;
   for (double times = 1; times <= most && !stop.stop_requested(); times *= 2) {
-    std::optional<double> first;
-    for (const Draw& draw :
-         settle_draws(structure, state, tensions,
-                      {.length = times * errors.length, .attachment = times * errors.attachment},
-                      draws, seed, stop))
-      if (draw.falls_at && (!first || *draw.falls_at < *first)) first = draw.falls_at;
-    if (first) return times * *first;
+    const CableErrors larger{.length = times * errors.length,
+                             .attachment = times * errors.attachment};
+    const auto found = settle_draws(structure, state, tensions, larger, draws, seed, stop);
+    if (!std::ranges::all_of(found, &Draw::followed)) break;
+    for (const Draw& draw : found)
+      if (draw.falls_at)
+        result.times = std::min(times * *draw.falls_at, result.times.value_or(times));
+    result.looked_to = times;
+    if (result.times) break;
   }
-  return std::nullopt;
+  return result;
 }
 
 }  // namespace tencer::certify

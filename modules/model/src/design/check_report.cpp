@@ -1,4 +1,5 @@
 // Checks in words.
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -57,8 +58,10 @@ void add_shortfalls(const Forgives& forgives, const Words& words, Reasons& reaso
          reasons);
   add_if(forgives.fallen > 0,
          "forgives: " + std::to_string(forgives.fallen) + " of " +
-             std::to_string(forgives.settled) + " fall to another pose, the first with " +
-             errors_words(forgives, forgives.falls_at.value_or(1), words),
+             std::to_string(forgives.settled) + " fall to another pose" +
+             (forgives.falls_at
+                  ? ", the first with " + errors_words(forgives, *forgives.falls_at, words)
+                  : std::string()),
          reasons);
 }
 
@@ -118,6 +121,7 @@ std::string line(const Forgives& forgives, const Words& words) {
   if (forgives.settled == 0) return text;
   text += "; " + std::to_string(forgives.settled) + " let settle: worst " +
           words.mm(forgives.settled_worst) + ", " + std::to_string(forgives.fallen) + " fall; ";
+  if (forgives.falls_up_to == 0) return text + "their paths cannot be followed";
   return text + (forgives.falls_at
                      ? "the first falls with " + errors_words(forgives, *forgives.falls_at, words)
                      : "none falls up to " + errors_words(forgives, forgives.falls_up_to, words));
@@ -135,10 +139,15 @@ std::string line(const ComesBack& comes_back, const Words& words) {
               " of them where strands may have passed through each other)";
     separator = ", ";
   }
-  for (const OtherPose& other : comes_back.others)
+  constexpr std::size_t most = 3;
+  for (std::size_t i = 0; i < std::min(most, comes_back.others.size()); ++i) {
+    const OtherPose& other = comes_back.others[i];
     text += "; another pose " + words.mm(other.distance) + " away, " +
             words.joules(std::abs(other.energy)) + (other.energy < 0 ? " lower" : " higher") +
             ", " + std::to_string(other.times) + " times";
+  }
+  if (comes_back.others.size() > most)
+    text += "; " + std::to_string(comes_back.others.size() - most) + " other poses more";
   return text;
 }
 

@@ -51,7 +51,8 @@ core::Expected<Checked> check(const model::Design& design, const CheckOptions& o
   found.stands = stands(pose, rest->moved_percent / 100 * size_of(design));
   if (!rest->usable()) return result;
   found.forgives = forgives(pose, options);
-  found.comes_back = comes_back(pose, options);
+  // What moves at no cost stays where it is pushed.
+  if (found.stands->free_groups.empty()) found.comes_back = comes_back(pose, options);
   found.holds = holds(pose, options);
   found.converged = converged(rest->design, options);
   return result;

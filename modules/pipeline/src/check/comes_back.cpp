@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <tencer/certify/shoves.hpp>
 #include <tencer/sensitivity/distance.hpp>
 
@@ -71,6 +72,7 @@ std::optional<model::ComesBack> comes_back(const RestPose& pose, const CheckOpti
     }
   }
   result.others = others.found();
+  std::ranges::stable_sort(result.others, std::greater{}, &model::OtherPose::times);
   return result;
 }
 

@@ -15,15 +15,18 @@ void settle(const RestPose& pose, const certify::CableErrors& errors, const Chec
   for (const certify::Draw& draw : certify::settle_draws(
            pose.structure, pose.state, pose.tensions, errors, draws, options.seed, options.stop)) {
     ++result.settled;
-    if (draw.falls_at || !draw.rests)
+    const double deviation = draw.deviation * pose.scaling.scale.length;
+    // Without a path a fall is told by where it ends, far beyond all that first order has.
+    const bool elsewhere = !draw.followed && deviation > 1.5 * result.worst;
+    if (draw.falls_at || !draw.rests || elsewhere)
       ++result.fallen;
     else
-      result.settled_worst =
-          std::max(result.settled_worst, draw.deviation * pose.scaling.scale.length);
+      result.settled_worst = std::max(result.settled_worst, deviation);
   }
-  result.falls_up_to = most;
-  result.falls_at = certify::first_fall(pose.structure, pose.state, pose.tensions, errors, draws,
+  const auto fall = certify::first_fall(pose.structure, pose.state, pose.tensions, errors, draws,
                                         options.seed, most, options.stop);
+  result.falls_at = fall.times;
+  result.falls_up_to = fall.looked_to;
 }
 
 }  // namespace

@@ -13,6 +13,8 @@ namespace tencer::certify {
 struct Draw {
   double deviation = 0.0;  // largest distance of a vertex from the pose, aligned as there
   bool rests = true;       // false: it was not found where it comes to rest
+  // Its path could be followed, from the pose or to where it turns; false: it was relaxed at once.
+  bool followed = true;
   // The part of the way from no errors to these at which the path of its poses turns, so that it
   // falls to another pose; not set: it follows them all the way.
   std::optional<double> falls_at = std::nullopt;
@@ -24,11 +26,15 @@ std::vector<Draw> settle_draws(const model::Structure& structure, const model::S
                                const Eigen::VectorXd& tensions, const CableErrors& errors,
                                int draws, std::uint64_t seed, const std::stop_token& stop = {});
 
-// By how many times the errors the first of the draws falls, looked for by doubling them from one
-// to `most`; not set: none falls.
-std::optional<double> first_fall(const model::Structure& structure, const model::State& state,
-                                 const Eigen::VectorXd& tensions, const CableErrors& errors,
-                                 int draws, std::uint64_t seed, double most,
-                                 const std::stop_token& stop = {});
+// By how many times the errors the first of some draws falls.
+struct FirstFall {
+  std::optional<double> times{};  // not set: none does, as far as was looked
+  double looked_to = 0.0;         // so many times; 0: not all could be followed at once the errors
+};
+
+// Looked for by doubling the errors from one to `most` times, while all can be followed.
+FirstFall first_fall(const model::Structure& structure, const model::State& state,
+                     const Eigen::VectorXd& tensions, const CableErrors& errors, int draws,
+                     std::uint64_t seed, double most, const std::stop_token& stop = {});
 
 }  // namespace tencer::certify

@@ -40,7 +40,7 @@ struct Forgives {
   double settled_worst = 0.0;  // largest deviation of those that did not
   // By so many times the errors the first of them falls; not set: none does up to falls_up_to.
   std::optional<double> falls_at = std::nullopt;
-  double falls_up_to = 0.0;
+  double falls_up_to = 0.0;  // 0: their paths cannot be followed
 };
 
 // Pushes out of the pose along its softest motions, smooth and rough, and letting go.
