@@ -18,7 +18,10 @@ constexpr const char* examples = R"(Examples:
 
 Inextensible cables have the design's lengths and go slack rather than push. Springs use each cable's
 stiffness and rest_length. Without -o nothing is written. --refine divides every edge and tells how
-far the vertices of the file move: what its number of vertices does to the pose.)";
+far the vertices of the file move: what its number of vertices does to the pose. From the pose,
+inextensible cables go slowly from the lengths that they have there to those of the design, so that
+a jump is the structure's own. A design that moves by more than 1 % of the target's size does not
+stay in its pose: a warning says so, and the exit code is 3.)";
 
 struct SimulateRequest {
   std::filesystem::path input;
@@ -28,6 +31,16 @@ struct SimulateRequest {
   int refine = pipeline::SimulateOptions{}.refine;
   double tolerance = equilibrium::SolveOptions{}.tolerance;
 };
+
+void warn_of_motion(const std::filesystem::path& input, const pipeline::Simulation& result) {
+  std::cerr << "tencer: WARNING: " << input.string()
+            << ": the design does not stay in its pose: it " << (result.fold_at ? "jumps" : "moves")
+            << " by " << result.moved_percent << " % of the target's size";
+  if (result.fold_at)
+    std::cerr << ", after " << 100 * *result.fold_at
+              << " % of the way from the lengths and forces in the pose to those of the design";
+  std::cerr << '\n';
+}
 
 core::Expected<ExitCode> run_simulate(const SimulateRequest& request) {
   const auto design = io::read_design(request.input);
@@ -51,7 +64,8 @@ core::Expected<ExitCode> run_simulate(const SimulateRequest& request) {
             << " % of the target's size";
   if (request.refine > 1) std::cout << ", with " << request.refine << " edges for each";
   std::cout << '\n' << model::summary(result->design);
-  return result->usable() ? ExitCode::ok : ExitCode::tolerance_not_reached;
+  if (result->usable() && !result->stays()) warn_of_motion(request.input, *result);
+  return result->stays() ? ExitCode::ok : ExitCode::tolerance_not_reached;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
+#include <algorithm>
 #include <chrono>
 #include <optional>
-#include <tencer/equilibrium/inextensible.hpp>
+#include <tencer/equilibrium/path.hpp>
 #include <tencer/model/scaling.hpp>
 #include <tencer/model/subdivision.hpp>
 #include <tencer/network/network.hpp>
@@ -52,20 +53,39 @@ std::optional<core::Error> check_spans(const model::Structure& structure,
   return std::nullopt;
 }
 
+// The cables' tensions in the design's pose; none where it does not tell any.
+std::optional<Eigen::VectorXd> tensions_of(const model::Design& design,
+                                           const model::Scaling& scaling) {
+  Eigen::VectorXd tensions(static_cast<Eigen::Index>(design.built.size()));
+  for (Eigen::Index c = 0; c < tensions.size(); ++c)
+    tensions[c] =
+        std::max(0.0, design.built[static_cast<std::size_t>(c)].tension) / scaling.scale.force();
+  if (tensions.size() == 0 || tensions.maxCoeff() == 0) return std::nullopt;
+  return tensions;
+}
+
 struct Rest {
   equilibrium::Equilibrium equilibrium{};
   Eigen::VectorXd tensions{};
+  std::optional<double> fold_at = std::nullopt;
 };
 
-Rest relax(const model::Structure& structure, model::State start, const SimulateOptions& options) {
-  if (options.cables == Cables::inextensible) {
+// From the pose `tensions` are what balances it, as far as they are known.
+Rest relax(const model::Structure& structure, model::State start,
+           const std::optional<Eigen::VectorXd>& tensions, const SimulateOptions& options) {
+  if (options.cables == Cables::springs) {
+    const equilibrium::System system(structure);
+    auto found = equilibrium::solve(system, std::move(start), options.solve);
+    Eigen::VectorXd pulling = system.internal_forces(found.state).tension;
+    return {std::move(found), std::move(pulling)};
+  }
+  if (options.start == Start::target) {
     auto found = equilibrium::relax_inextensible(structure, std::move(start), options.solve);
     return {std::move(found.equilibrium), std::move(found.tensions)};
   }
-  const equilibrium::System system(structure);
-  auto found = equilibrium::solve(system, std::move(start), options.solve);
-  Eigen::VectorXd tensions = system.internal_forces(found.state).tension;
-  return {std::move(found), std::move(tensions)};
+  auto found =
+      equilibrium::settle_along(structure, std::move(start), tensions, {.solve = options.solve});
+  return {std::move(found.rest.equilibrium), std::move(found.rest.tensions), found.fold_at};
 }
 
 }  // namespace
@@ -88,7 +108,7 @@ core::Expected<Simulation> simulate(const model::Design& given, const SimulateOp
                                  : target_state(design, structure, scaling);
   if (auto error = check_spans(structure, start)) return *error;
 
-  const Rest rest = relax(structure, start, options);
+  const Rest rest = relax(structure, start, tensions_of(design, scaling), options);
   const equilibrium::Equilibrium& found = rest.equilibrium;
   Simulation simulation{
       .design = design,
@@ -99,9 +119,10 @@ core::Expected<Simulation> simulate(const model::Design& given, const SimulateOp
       .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
       .residual = found.residual,
       .moved_percent =
-          moved_percent(target, model::scaled(design.pose, scaling), found.state, options.refine)};
+          moved_percent(target, model::scaled(design.pose, scaling), found.state, options.refine),
+      .fold_at = rest.fold_at};
   record({structure, found.state, rest.tensions, target}, scaling, simulation.design);
-  if (!simulation.usable())
+  if (!simulation.stays())
     simulation.design.status = found.reason == equilibrium::Reason::stopped
                                    ? model::DesignStatus::interrupted
                                    : model::DesignStatus::tolerance_not_reached;

@@ -1,6 +1,7 @@
 // Where a designed structure comes to rest.
 #pragma once
 
+#include <optional>
 #include <tencer/core/error.hpp>
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/model/design.hpp>
@@ -24,7 +25,7 @@ struct SimulateOptions {
 
 struct [[nodiscard]] Simulation {
   // The input, refined as asked, with the pose, tensions, error and certificate found; its status
-  // tells when the state is not usable.
+  // tells when it does not stay.
   model::Design design{};
   equilibrium::Reason reason = equilibrium::Reason::iteration_limit;
   int unknowns = 0;
@@ -35,10 +36,15 @@ struct [[nodiscard]] Simulation {
   // Largest distance of the input's vertices to where they were in its pose, in % of the target's
   // bounding-box diagonal, rigidly aligned unless the structure is held in place.
   double moved_percent = 0.0;
+  // From the pose with inextensible cables: after which part of the way from the pose's lengths and
+  // forces to the design's the structure jumps, see equilibrium::PathEquilibrium.
+  std::optional<double> fold_at = std::nullopt;
 
   bool usable() const {
     return reason == equilibrium::Reason::converged || reason == equilibrium::Reason::rounding;
   }
+  // Whether it comes to rest, and within 1 % of the target's size from the input's pose.
+  bool stays() const { return usable() && moved_percent <= 1; }
 };
 
 // Errors name the cable: springs are asked for and it has no stiffness, or its ends are the same
