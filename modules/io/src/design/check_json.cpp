@@ -71,6 +71,17 @@ Json to_json(const Holds& holds) {
   return result;
 }
 
+Json to_json(const Clear& clear) {
+  Json result = Json::object();
+  const auto add = [&](const char* key, const std::optional<LeastDistance>& least) {
+    if (least) result[key] = {{"distance", least->distance}, {"where", least->where}};
+  };
+  add("rods", clear.rods);
+  add("cables", clear.cables);
+  add("marks", clear.marks);
+  return result;
+}
+
 Json to_json(const Converged& converged) {
   Json refinements = Json::array();
   for (const Refinement& refinement : converged.refinements)
@@ -97,6 +108,7 @@ Json to_json(const Check& check, const Design& design) {
   add("forgives", check.forgives);
   add("comes_back", check.comes_back);
   add("holds", check.holds);
+  add("clear", check.clear);
   add("converged", check.converged);
   return result;
 }

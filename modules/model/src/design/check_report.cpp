@@ -85,6 +85,11 @@ void add_shortfalls(const Holds& holds, const Words& words, Reasons& reasons) {
          reasons);
 }
 
+void add_shortfalls(const Clear& clear, const Words& words, Reasons& reasons) {
+  if (const auto& rods = clear.rods; rods && rods->distance <= 0)
+    reasons.push_back("clear: " + rods->where + " overlap by " + words.mm(-rods->distance));
+}
+
 void add_shortfalls(const Converged& converged, const Words& words, Reasons& reasons) {
   if (converged.converged) return;
   const Refinement& last = converged.refinements.back();
@@ -172,6 +177,21 @@ std::string line(const Holds& holds, const Words& words) {
                            " of rod " + std::to_string(holds.hung_rod));
 }
 
+std::string line(const Clear& clear, const Words& words) {
+  std::string text = "clear:";
+  const char* separator = " ";
+  const auto add = [&](const std::string& what, const std::optional<LeastDistance>& least) {
+    text += separator + what;
+    text += least ? ' ' + words.mm(least->distance) + " (" + least->where + ')'
+                  : std::string(" none near");
+    separator = ", ";
+  };
+  add("rod to rod", clear.rods);
+  add("cable to cable", clear.cables);
+  add("between marks", clear.marks);
+  return text;
+}
+
 std::string line(const Converged& converged, const Words& words) {
   std::string text = converged.converged ? "converged: yes" : "converged: no";
   for (const Refinement& refinement : converged.refinements)
@@ -190,6 +210,7 @@ std::vector<std::string> shortfalls(const Check& check, const CheckUnits& units)
   if (check.forgives) add_shortfalls(*check.forgives, words, reasons);
   if (check.comes_back) add_shortfalls(*check.comes_back, words, reasons);
   if (check.holds) add_shortfalls(*check.holds, words, reasons);
+  if (check.clear) add_shortfalls(*check.clear, words, reasons);
   if (check.converged) add_shortfalls(*check.converged, words, reasons);
   return reasons;
 }
@@ -201,6 +222,7 @@ std::string report(const Check& check, const CheckUnits& units) {
   if (check.forgives) text += line(*check.forgives, words) + '\n';
   if (check.comes_back) text += line(*check.comes_back, words) + '\n';
   if (check.holds) text += line(*check.holds, words) + '\n';
+  if (check.clear) text += line(*check.clear, words) + '\n';
   if (check.converged) text += line(*check.converged, words) + '\n';
   for (const std::string& reason : shortfalls(check, units)) text += "fails: " + reason + '\n';
   return text;

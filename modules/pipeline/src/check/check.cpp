@@ -54,6 +54,7 @@ core::Expected<Checked> check(const model::Design& design, const CheckOptions& o
   // What moves at no cost stays where it is pushed.
   if (found.stands->free_groups.empty()) found.comes_back = comes_back(pose, options);
   found.holds = holds(pose, options);
+  found.clear = clear(pose);
   found.converged = converged(rest->design, options);
   return result;
 }

@@ -41,6 +41,8 @@ std::optional<model::ComesBack> comes_back(const RestPose& pose, const CheckOpti
 
 model::Holds holds(const RestPose& pose, const CheckOptions& options);
 
+model::Clear clear(const RestPose& pose);
+
 // Not set when it was stopped before the first.
 std::optional<model::Converged> converged(const model::Design& design, const CheckOptions& options);
 

@@ -79,6 +79,19 @@ struct Holds {
   int hung_vertex = -1;
 };
 
+// The least distance of its kind, and where, in words. Lengths; of rods between their surfaces, so
+// that what is negative goes through.
+struct LeastDistance {
+  double distance = 0.0;
+  std::string where{};
+};
+// Not set: there is no such pair.
+struct Clear {
+  std::optional<LeastDistance> rods = std::nullopt;    // between strands
+  std::optional<LeastDistance> cables = std::nullopt;  // that do not meet
+  std::optional<LeastDistance> marks = std::nullopt;   // of two cables, along a rod
+};
+
 // How the pose changes with the number of vertices: every edge divided into 2, 4, 8.
 struct Refinement {
   int times = 1;
@@ -103,6 +116,7 @@ struct Check {
   std::optional<Forgives> forgives = std::nullopt;
   std::optional<ComesBack> comes_back = std::nullopt;
   std::optional<Holds> holds = std::nullopt;
+  std::optional<Clear> clear = std::nullopt;
   std::optional<Converged> converged = std::nullopt;
 };
 

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <cmath>
+#include <tencer/certify/closest.hpp>
+#include <tencer/geometry/measure.hpp>
+
+namespace tencer::certify {
+namespace {
+
+using Eigen::Vector3d;
+
+// How far each rod's surface is from its line at most; without a shape that of a solid circle with
+// the same stiffnesses.
+std::vector<double> outer_radii(const model::Structure& structure) {
+  std::vector<double> radii;
+  for (const auto& rod : structure.rods) {
+    const der::Section& section = rod.section;
+    const auto half = der::half_sizes(section.shape);
+    radii.push_back(half ? std::max(half->along_m1, half->along_m2)
+                         : 2 * std::sqrt(std::max(section.EI1, section.EI2) / section.EA));
+  }
+  return radii;
+}
+
+// Keeps the nearer one.
+template <class Apart>
+void keep(std::optional<Apart>& nearest, const Apart& found) {
+  if (!nearest || found.distance < nearest->distance) nearest = found;
+}
+
+struct Edge {
+  int rod = 0;
+  Vector3d a = Vector3d::Zero();
+  Vector3d b = Vector3d::Zero();
+  double s = 0.0;  // of its start, at rest
+  double length = 0.0;
+};
+
+std::vector<Edge> edges_of(const model::Structure& structure, const model::State& state) {
+  std::vector<Edge> edges;
+  for (int r = 0; r < static_cast<int>(state.size()); ++r) {
+    const auto& x = state[r].x;
+    double s = 0;
+    for (int j = 0; j < structure.rods[r].edges(); ++j) {
+      const double length = structure.rods[r].rest_lengths[j];
+      edges.push_back({r, x.col(j), x.col((j + 1) % x.cols()), s, length});
+      s += length;
+    }
+  }
+  return edges;
+}
+
+std::optional<RodsApart> closest_rods(const model::Structure& structure, const model::State& state,
+                                      const std::vector<double>& radii) {
+  const std::vector<Edge> edges = edges_of(structure, state);
+  std::optional<RodsApart> nearest;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t j = i + 1; j < edges.size(); ++j) {
+      const Edge& one = edges[i];
+      const Edge& other = edges[j];
+      const auto found = geometry::segment_approach(one.a, one.b, other.a, other.b);
+      const double s_a = one.s + found.t_a * one.length;
+      const double s_b = other.s + found.t_b * other.length;
+      if (one.rod == other.rod) {
+        double along = std::abs(s_a - s_b);
+        const der::Rod& rod = structure.rods[one.rod];
+        if (rod.closed) along = std::min(along, rod.length() - along);
+        if (!(along > 2 * found.distance + one.length + other.length)) continue;
+      }
+      keep(nearest,
+           {found.distance - radii[one.rod] - radii[other.rod], one.rod, s_a, other.rod, s_b});
+    }
+  return nearest;
+}
+
+// Whether two ends are at one place, a rod's within six radii.
+bool meet(const springs::End& one, const springs::End& other, const model::Structure& structure,
+          const std::vector<double>& radii) {
+  constexpr double own_radii = 6;
+  if (one.index() != other.index()) return false;
+  if (const auto* anchor = std::get_if<springs::AtAnchor>(&one))
+    return anchor->anchor == std::get<springs::AtAnchor>(other).anchor;
+  const auto& a = std::get<springs::OnRod>(one);
+  const auto& b = std::get<springs::OnRod>(other);
+  if (a.rod != b.rod) return false;
+  double apart = std::abs(a.s - b.s);
+  const der::Rod& rod = structure.rods[a.rod];
+  if (rod.closed) apart = std::min(apart, std::abs(rod.length() - apart));
+  return apart <= own_radii * radii[a.rod];
+}
+
+std::optional<CablesApart> closest_cables(const model::Structure& structure,
+                                          const model::State& state,
+                                          const std::vector<double>& radii) {
+  const auto along = model::arc_lengths(structure);
+  const auto point = [&](const springs::End& end) -> Vector3d {
+    if (const auto* anchor = std::get_if<springs::AtAnchor>(&end))
+      return structure.anchors.col(anchor->anchor);
+    const auto& on = std::get<springs::OnRod>(end);
+    const auto [edge, t] = along[on.rod].locate(on.s);
+    const auto& x = state[on.rod].x;
+    return (1 - t) * x.col(edge) + t * x.col((edge + 1) % x.cols());
+  };
+  const auto& cables = structure.cables;
+  std::optional<CablesApart> nearest;
+  for (int c = 0; c < static_cast<int>(cables.size()); ++c)
+    for (int d = c + 1; d < static_cast<int>(cables.size()); ++d) {
+      bool joined = false;
+      for (const springs::End* one : {&cables[c].a, &cables[c].b})
+        for (const springs::End* other : {&cables[d].a, &cables[d].b})
+          joined = joined || meet(*one, *other, structure, radii);
+      if (joined) continue;
+      keep(nearest, {geometry::segment_approach(point(cables[c].a), point(cables[c].b),
+                                                point(cables[d].a), point(cables[d].b))
+                         .distance,
+                     c, d});
+    }
+  return nearest;
+}
+
+std::optional<MarksApart> closest_marks(const model::Structure& structure) {
+  constexpr double same = 1e-9;  // of the rod's length
+  const auto along = model::arc_lengths(structure);
+  std::vector<std::vector<double>> marks(structure.rods.size());
+  for (const auto& cable : structure.cables)
+    for (const springs::End* end : {&cable.a, &cable.b})
+      if (const auto* on = std::get_if<springs::OnRod>(end))
+        marks[on->rod].push_back(along[on->rod].wrap(on->s));
+  std::optional<MarksApart> nearest;
+  for (int r = 0; r < static_cast<int>(marks.size()); ++r) {
+    auto& places = marks[r];
+    std::ranges::sort(places);
+    const double length = along[r].length();
+    const auto apart = [&](double from, double to, double distance) {
+      if (distance > same * length) keep(nearest, {distance, r, from, to});
+    };
+    for (std::size_t i = 1; i < places.size(); ++i)
+      apart(places[i - 1], places[i], places[i] - places[i - 1]);
+    if (structure.rods[r].closed && places.size() > 1)
+      apart(places.back(), places.front(), length - places.back() + places.front());
+  }
+  return nearest;
+}
+
+}  // namespace
+
+Closest closest(const model::Structure& structure, const model::State& state) {
+  const std::vector<double> radii = outer_radii(structure);
+  return {.rods = closest_rods(structure, state, radii),
+          .cables = closest_cables(structure, state, radii),
+          .marks = closest_marks(structure)};
+}
+
+}  // namespace tencer::certify
