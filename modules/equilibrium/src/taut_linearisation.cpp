@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "forces.hpp"
+
 namespace tencer::equilibrium {
 
 bool TautLinearisation::linearise(System& system, const model::State& state,
@@ -22,10 +24,42 @@ bool TautLinearisation::linearise(System& system, const model::State& state,
   system.set_cables(std::move(cables));
   equilibrium::linearise(system, state, forces, at_);
   if (!at_.regular || at_.negative > 0) return false;
+  border_rigid_motion(system);
   pulls_ = length_gradients(system, state);
-  motions_ = pulls_.cols() > 0 ? at_.solve(pulls_) : pulls_;
+  motions_ = pulls_.cols() > 0 ? solve(pulls_) : pulls_;
   compliance_ = pulls_.transpose() * motions_;
   return compliance_.allFinite();
+}
+
+void TautLinearisation::border_rigid_motion(const System& system) {
+  Eigen::Index count = 0;
+  for (const auto& rigid : at_.rigid) count += rigid.basis.cols();
+  border_ = Eigen::MatrixXd::Zero(system.size(), 2 * count);
+  if (count == 0) return;
+  const Eigen::VectorXd root = edge_stiffness(system).cwiseSqrt();
+  Eigen::Index first = 0;
+  for (std::size_t g = 0; g < at_.rigid.size(); ++g) {
+    const auto& [basis, stabilising] = at_.rigid[g];
+    if (basis.cols() == 0) continue;
+    const auto& unknowns = system.stabilising_unknowns()[g];
+    border_(unknowns, Eigen::seqN(first, basis.cols())) = root(unknowns).asDiagonal() * stabilising;
+    border_.middleCols(count + first, basis.cols()) = basis;
+    first += basis.cols();
+  }
+  border_motions_ = at_.factor.solve(border_);
+  border_motions_.rightCols(count) *= -1;
+  Eigen::MatrixXd matrix = border_.transpose() * border_motions_;
+  matrix.topLeftCorner(count, count).diagonal().array() -= 1;
+  border_matrix_.compute(matrix);
+}
+
+// dx and the rigid part of the forces, l, of H dx + B l = forces, B^T dx = 0, H + S S^T at hand: B
+// the basis and S the anchors, S^T dx one more unknown.
+Eigen::MatrixXd TautLinearisation::solve(const Eigen::MatrixXd& forces) const {
+  Eigen::MatrixXd motion = at_.factor.solve(forces);
+  if (border_.cols() > 0)
+    motion -= border_motions_ * border_matrix_.solve(border_.transpose() * motion);
+  return motion;
 }
 
 TautStep TautLinearisation::step(const Eigen::VectorXd& gradient, const Eigen::VectorXd& tensions,
@@ -33,7 +67,7 @@ TautStep TautLinearisation::step(const Eigen::VectorXd& gradient, const Eigen::V
   constexpr double independent =
       1e-12;  // of a cable's compliance: what tells dependent cables apart
   const Eigen::Index count = tensions.size();
-  const Eigen::VectorXd free_motion = -at_.solve(gradient).col(0);
+  const Eigen::VectorXd free_motion = -solve(gradient).col(0);
   const Eigen::VectorXd free_growth = pulls_.transpose() * free_motion;
   const double regular = count > 0 ? independent * compliance_.diagonal().maxCoeff() : 0;
   TautStep result{.tensions = tensions};

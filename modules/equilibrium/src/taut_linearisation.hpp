@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <tencer/equilibrium/solve.hpp>
 
 namespace tencer::equilibrium {
@@ -30,7 +31,16 @@ class TautLinearisation {
   const std::vector<RigidModes>& rigid() const { return at_.rigid; }
 
  private:
+  void border_rigid_motion(const System& system);
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& forces) const;
+
   Linearisation at_{};
+  // The border that keeps a solve off rigid motion where forces are out of balance, and H alone
+  // resists it: [anchors, basis], H^-1 of them with H anchored, and the matrix of the unknowns that
+  // they add.
+  Eigen::MatrixXd border_{};
+  Eigen::MatrixXd border_motions_{};
+  Eigen::PartialPivLU<Eigen::MatrixXd> border_matrix_{};
   Eigen::VectorXd springs_{};     // per cable, their stiffness; 0 where slack
   Eigen::MatrixXd pulls_{};       // size x cables, see length_gradients
   Eigen::MatrixXd motions_{};     // size x cables, H^-1 pulls
