@@ -45,3 +45,14 @@ TEST_CASE("a cable that pushes is not certified") {
   CHECK(assessment.slack == std::vector<int>{0});
   CHECK(assessment.tensions[0] == 0);
 }
+
+TEST_CASE("a cable for whose tension no spring is stiff enough does not settle") {
+  model::Structure ring = models::ring_with_cable(40, 1.0, 1e-12);
+  const model::State start = model::make_state(ring, {models::polygon(40, 1.0)});
+  const InextensibleEquilibrium form =
+      relax_inextensible(ring, start, Eigen::VectorXd::Constant(1, 1e10));
+  CHECK_FALSE(form.equilibrium.usable());
+  CHECK(form.equilibrium.state[0].x == start[0].x);
+  CHECK_THROWS_AS(relax_inextensible(ring, start, Eigen::VectorXd::Constant(1, -1.0)),
+                  std::invalid_argument);
+}

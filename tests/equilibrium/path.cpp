@@ -114,6 +114,7 @@ TEST_CASE("forces that the start lacks fade along the way") {
   const PathEquilibrium path =
       settle_along(standing.structure, standing.state, 0.9 * standing.tensions);
   REQUIRE(path.followed());
+  CHECK(path.rest.equilibrium.factorisations <= 10);
   const auto found = assess(standing.structure, path.rest.equilibrium.state, path.rest.tensions);
   CHECK(found.residual < 1e-6);
   CHECK((path.rest.tensions - standing.tensions).norm() < 1e-5 * standing.tensions.norm());
