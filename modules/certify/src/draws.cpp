@@ -49,19 +49,21 @@ std::vector<Draw> settle_draws(const model::Structure& structure, const model::S
 }
 
 FirstFall first_fall(const model::Structure& structure, const model::State& state,
-                     const Eigen::VectorXd& tensions, const CableErrors& errors, int draws,
-                     std::uint64_t seed, double most, const std::stop_token& stop) {
+                     const Eigen::VectorXd& tensions, const CableErrors& errors,
+                     const std::vector<Draw>& once, std::uint64_t seed, double most,
+                     const std::stop_token& stop) {
   FirstFall result;
-  for (double times = 1; times <= most && !stop.stop_requested(); times *= 2) {
-    const CableErrors larger{.length = times * errors.length,
-                             .attachment = times * errors.attachment};
-    const auto found = settle_draws(structure, state, tensions, larger, draws, seed, stop);
-    if (!std::ranges::all_of(found, &Draw::followed)) break;
-    for (const Draw& draw : found)
+  std::vector<Draw> draws = once;
+  for (double times = 1; !stop.stop_requested() && std::ranges::all_of(draws, &Draw::followed);) {
+    for (const Draw& draw : draws)
       if (draw.falls_at)
         result.times = std::min(times * *draw.falls_at, result.times.value_or(times));
     result.looked_to = times;
-    if (result.times) break;
+    times *= 2;
+    if (result.times || times > most) break;
+    draws = settle_draws(structure, state, tensions,
+                         {.length = times * errors.length, .attachment = times * errors.attachment},
+                         static_cast<int>(once.size()), seed, stop);
   }
   return result;
 }

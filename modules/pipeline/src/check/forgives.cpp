@@ -12,8 +12,9 @@ void settle(const RestPose& pose, const certify::CableErrors& errors, const Chec
   constexpr int draws = 30;
   constexpr double most = 8;
   if (errors.length == 0 && errors.attachment == 0) return;
-  for (const certify::Draw& draw : certify::settle_draws(
-           pose.structure, pose.state, pose.tensions, errors, draws, options.seed, options.stop)) {
+  const auto settled = certify::settle_draws(pose.structure, pose.state, pose.tensions, errors,
+                                             draws, options.seed, options.stop);
+  for (const certify::Draw& draw : settled) {
     ++result.settled;
     const double deviation = draw.deviation * pose.scaling.scale.length;
     // Without a path a fall is told by where it ends, far beyond all that first order has.
@@ -23,7 +24,7 @@ void settle(const RestPose& pose, const certify::CableErrors& errors, const Chec
     else
       result.settled_worst = std::max(result.settled_worst, deviation);
   }
-  const auto fall = certify::first_fall(pose.structure, pose.state, pose.tensions, errors, draws,
+  const auto fall = certify::first_fall(pose.structure, pose.state, pose.tensions, errors, settled,
                                         options.seed, most, options.stop);
   result.falls_at = fall.times;
   result.falls_up_to = fall.looked_to;

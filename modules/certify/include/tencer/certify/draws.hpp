@@ -32,9 +32,11 @@ struct FirstFall {
   double looked_to = 0.0;         // so many times; 0: not all could be followed at once the errors
 };
 
-// Looked for by doubling the errors from one to `most` times, while all can be followed.
+// Looked for by doubling the errors from one to `most` times, while all can be followed. once: what
+// settle_draws found with these errors and this seed.
 FirstFall first_fall(const model::Structure& structure, const model::State& state,
-                     const Eigen::VectorXd& tensions, const CableErrors& errors, int draws,
-                     std::uint64_t seed, double most, const std::stop_token& stop = {});
+                     const Eigen::VectorXd& tensions, const CableErrors& errors,
+                     const std::vector<Draw>& once, std::uint64_t seed, double most,
+                     const std::stop_token& stop = {});
 
 }  // namespace tencer::certify
