@@ -23,6 +23,7 @@ namespace {
 constexpr const char* examples = R"(Examples:
   tencer design curve.obj                    defaults; the result is in curve-design/
   tencer design scene.toml -o result         rods, sections, anchors and rules from a scene file
+  tencer design curve.obj --material ash     rods of ash, as thick as their bends allow
   tencer design curve.obj --max-error 0.5    the fewest cables that come as close as that
   tencer design curve.obj --cables 8         the closest design with at most 8 cables
   tencer design curve.obj --trade-off        how close with how many cables: all of them, in a table
@@ -43,6 +44,8 @@ struct DesignRequest {
   std::optional<model::Method> method;
   std::optional<model::Optimizer> optimizer;
   std::optional<model::SecondDerivatives> hessian;
+  std::string material = model::glass_fibre().name;
+  bool closed = false;
   std::optional<double> max_error;
   std::optional<int> cables;
   std::optional<model::Measure> objective;
@@ -148,8 +151,27 @@ std::string explanation(const std::vector<pipeline::Feature>& features) {
   return text.str();
 }
 
+// With commas between them.
+std::string material_names() {
+  std::string names;
+  for (const model::Material& material : model::materials())
+    names += (names.empty() ? "" : ", ") + material.name;
+  return names;
+}
+
+CLI::Validator known_material() {
+  return {[](std::string& name) {
+            return model::find_material(name)
+                       ? std::string()
+                       : "there is no '" + name + "'; use one of " + material_names();
+          },
+          "MATERIAL"};
+}
+
 core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Log& log) {
-  auto scene = read_scene_or_curve(request.input);
+  auto scene = read_scene_or_curve(
+      request.input,
+      {.material = *model::find_material(request.material), .close = request.closed});
   if (!scene) return scene.error();
   if (const auto error = apply(request, scene->design)) return *error;
   *scene = model::at_resolution(*scene, request.resolution);
@@ -190,6 +212,13 @@ void add_design(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<DesignRequest>();
   command->add_option("INPUT", request->input, "Scene (.toml) or target curve")->required();
   command->add_option("-o,--output", request->output, "Folder for the result [INPUT-design]");
+  command
+      ->add_option("--material", request->material,
+                   "What rods are made of that say nothing of it: " + material_names())
+      ->check(known_material())
+      ->capture_default_str();
+  command->add_flag("--closed", request->closed,
+                    "The curves are closed, though their last points do not repeat the first");
   command
       ->add_option("--max-error", request->max_error,
                    "Largest distance to the target, % of its bounding-box diagonal [1]")

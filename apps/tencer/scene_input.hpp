@@ -8,6 +8,7 @@
 namespace tencer::app {
 
 // A scene (.toml), or the scene of a curve file.
-core::Expected<model::Scene> read_scene_or_curve(const std::filesystem::path& input);
+core::Expected<model::Scene> read_scene_or_curve(const std::filesystem::path& input,
+                                                 const io::SceneOptions& options);
 
 }  // namespace tencer::app

@@ -27,16 +27,18 @@ bad_curve(two.csv "0, 0, 0\n1, 0\n" "two.csv:2" "3")
 bad_curve(broken.json "{\"curves\": [}" "broken.json:1" "is not valid JSON")
 
 bad_curve(point.xyz "0 0 0\n" "point.xyz:1" "needs at least 2 points")
-bad_curve(repeated.xyz "1 1 1\n1 1 1\n1 1 1\n" "repeated.xyz:1" "at least 3 different points")
-bad_curve(zero.xyz "0 0 0\n1 0 0\n1 0 0\n1 1 0\n" "zero.xyz:3" "zero-length edge")
-bad_curve(zero.obj "v 0 0 0\nv 1 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3 4\n" "zero.obj:5"
-  "remove one of them")
+bad_curve(repeated.xyz "1 1 1\n1 1 1\n1 1 1\n" "repeated.xyz:1" "at least 2 different points")
 bad_curve(back.xyz "0 0 0\n2 0 0\n1 0 0\n1 1 0\n" "back.xyz:2" "turns straight back")
 bad_curve(crossing.xyz "0 0 0\n1 1 0\n2 0 0\n1 -1 0\n0 0 1\n-1 -1 0\n1 1 0\n1 1 1\n"
-  "crossing.xyz" "vertex 1 of rod 0 and vertex 6 of rod 0 are the same point")
+  "crossing.xyz" "the rod crosses itself: arc length ")
+# Likewise where no vertex is on the crossing.
+bad_curve(eight.xyz "3 1 0\n4 0 0\n3 -1 0\n-3 1 0\n-4 0 0\n-3 -1 0\n3 1 0\n"
+  "eight.xyz" "are the same point; move the curves apart there")
 bad_curve(open.json
   "{\"curves\": [{\"closed\": false, \"points\": [[0,0,0], [1,0,0], [1,1,0], [0,0,0]]}]}"
   "open.json: curves[0].points" "set closed to true, or remove the last point")
 bad_curve(strut.xyz "0 0 0\n1 0 0\n" "strut.xyz" "no cable is possible")
+bad_curve(uneven.xyz "0 0 0\n5 0 0\n5 0.004 0\n0 5 0\n-5 5 3\n-5 0 6\n" "uneven.xyz"
+  "space the points more evenly")
 
 check_page("Curve files")

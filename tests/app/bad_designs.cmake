@@ -40,7 +40,7 @@ expect_status(0)
 refused("bow.json: cables[0]: " "give it both" simulate bow.json --cables springs -o out)
 
 refused("none.json: " "there is no such file" simulate none.json -o out)
-bad_design("tencer-design/1" "tencer-design/2" "bow.json: schema" "expected \"tencer-design/1\"")
+bad_design("tencer-design/1" "tencer-design/3" "bow.json: schema" "expected \"tencer-design/2\"")
 bad_design("\"schema\": \"tencer-design/1\"," "" "bow.json" "the key \"schema\" is missing")
 bad_design("\"EA\": 1000" "\"EA\": " "bow.json:7" "is not valid JSON")
 bad_design("\"rods\": [{" "\"rods\": [], \"spare\": [{" "bow.json: rods" "at least one rod")

@@ -41,6 +41,7 @@ foreach(value 0 -1 2.5 many 99999999999)
   refused("--threads: " "expected a positive whole number, found ${value}"
     design ring.obj -o out --threads ${value})
 endforeach()
+refused("--material: " "glass fibre, carbon" design ring.obj -o out --material cheese)
 refused("--method: " "force-balance,dense-springs" design ring.obj -o out --method luck)
 refused("--objective: " "max,rms" design ring.obj -o out --objective mean)
 refused("--symmetry: " "none,offer,detect" design ring.obj -o out --symmetry some)

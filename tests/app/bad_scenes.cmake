@@ -33,10 +33,12 @@ bad_scene("[[rod]]\ncurve = \"bad.obj\"\n" "bad.obj:2" "'y' is not a number")
 bad_scene("[[rod]]\nfamily = \"knot\"\n" "scene.toml:5: rod[1].family" "torus-knot")
 bad_scene("closed = false\n" "scene.toml:4: rod[0].closed" "remove the key or open the curve")
 bad_scene("[[rod]]\nfamily = \"helix\"\nclosed = true\n" "scene.toml:6: rod[1].closed"
-  "remove the key or close the curve")
+  "give it points on the way")
 bad_scene("[[rod]]\ncurve = \"ring.obj\"\n" "scene.toml" "two rods cross")
 
 # Sections
+bad_scene("material = \"cheese\"\n" "scene.toml:4: rod[0].material" "expected one of glass fibre, ")
+bad_scene("section = {radius = 30}\n" "scene.toml" "make the rod thinner")
 foreach(bad "0" "-1" "nan" "\"stiff\"")
   bad_scene("section = {EA = ${bad}, EI = 1, GJ = 1}\n" "scene.toml:4: rod[0].section.EA" "expected a ")
   bad_scene("section = {EA = 1, EI = ${bad}, GJ = 1}\n" "scene.toml:4: rod[0].section.EI" "expected a ")

@@ -4,12 +4,14 @@
 #include <limits>
 #include <random>
 #include <tencer/curves/analytic.hpp>
+#include <tencer/io/csv.hpp>
 #include <tencer/io/curve.hpp>
 
 #include "edited.hpp"
 #include "fixtures/folder.hpp"
 
 using tencer::geometry::Polyline;
+using tencer::io::read_curve_file;
 using tencer::io::read_curves;
 using tencer::io::write_obj;
 
@@ -109,10 +111,85 @@ TEST_CASE("json: curves with and without their closed flag, and a bare array") {
   check_same(read(folder, "c.json", "[[0,0,0],[1,0,0],[1,1,0]]")[0], polyline(false, {a, b, c}));
 }
 
+TEST_CASE("points that repeat the one before them are dropped, and it is said how many") {
+  const Folder folder;
+  const auto file = read_curve_file(
+      folder.put("c.csv", "0,0,0\n0,0,0\n1,0,0\n1,1,0\n1,1,1e-12\n1,1,0\n0,0,0\n0,0,0\n"));
+  REQUIRE(file);
+  check_same(file->curves[0], polyline(true, {a, b, c}));
+  REQUIRE(file->notes.size() == 1);
+  CHECK(folder.local(file->notes[0]) ==
+        "c.csv:1: 4 points of this curve repeat the one before them and are dropped");
+  const auto obj =
+      read_curve_file(folder.put("c.obj", "v 0 0 0\nv 1 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3 4\n"));
+  REQUIRE(obj);
+  check_same(obj->curves[0], polyline(false, {a, b, c}));
+  CHECK(folder.local(obj->notes.at(0)) ==
+        "c.obj:5: 1 point of this curve repeats the one before it and is dropped");
+}
+
+TEST_CASE("ends that nearly meet are closed, those that are neighbours are told, and others stay") {
+  const Folder folder;
+  const Polyline ring = tencer::curves::circle(10, 24);
+  const auto text = [&](double turn) {
+    std::string lines;
+    for (const auto& point : ring.points.colwise())
+      lines += tencer::io::to_text(point.x()) + " " + tencer::io::to_text(point.y()) + " 0\n";
+    if (turn > 0)
+      lines += tencer::io::to_text(10 * std::cos(turn)) + " " +
+               tencer::io::to_text(10 * std::sin(turn)) + " 0\n";
+    return lines;
+  };
+  const auto nearly = read_curve_file(folder.put("c.xyz", text(1e-3)));
+  REQUIRE(nearly);
+  check_same(nearly->curves[0], ring);
+  CHECK(folder.local(nearly->notes.at(0)) ==
+        "c.xyz:1: the ends of this curve are 0.01 apart: it is taken as closed");
+  auto open = read_curve_file(folder.put("c.xyz", text(0)));
+  REQUIRE(open);
+  CHECK_FALSE(open->curves[0].closed);
+  CHECK_THAT(open->notes.at(0), Catch::Contains("this curve is open, with its ends 2.61 apart") &&
+                                    Catch::Contains("--closed"));
+  CHECK_FALSE(tencer::io::close_curve(open->curves[0]));
+  check_same(open->curves[0], ring);
+  CHECK(read_curve_file(folder.put("c.csv", "0,0,0\n1,0,0\n1,1,0\n0,1,0.5\n"))->notes.empty());
+  Polyline line = polyline(false, {a, b, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}});
+  CHECK_THAT(tencer::io::close_curve(line).value_or(""),
+             Catch::StartsWith("the ends of the curve are 4 apart, 4 times its longest edge"));
+}
+
+TEST_CASE(
+    "tables of other countries and programs: decimal commas, UTF-16, units, continued lines") {
+  const Folder folder;
+  const Polyline expected = polyline(false, {{0.5, 0, 0}, {1, -1.25, 0}, {1, 1, 3}});
+  check_same(read(folder, "c.csv", "0,5;0;0\n1;-1,25;0\n1;1;3\n")[0], expected);
+  check_same(read(folder, "c.txt", "0,5 0 0\n1 -1,25 0\n1\t1\t3\n")[0], expected);
+  check_same(read(folder, "c.txt", "0.5, 0, 0\n1, -1.25, 0\n1, 1, 3\n")[0], expected);
+  for (const bool little : {true, false}) {
+    std::string wide = little ? "\xFF\xFE" : "\xFE\xFF";
+    for (const char character : std::string("0.5 0 0\r\n1 -1.25 0\r\n1 1 3\r\n"))
+      wide += little ? std::string{character, '\0'} : std::string{'\0', character};
+    check_same(read(folder, "c.csv", wide)[0], expected);
+  }
+  check_same(read(folder, "c.obj", "v 0.5 0 0\nv 1 \\\n-1.25 0\nv 1 1 3\nl 1 \\\n2 \\ \n 3\n")[0],
+             expected);
+
+  const std::string rows = "0,0,0\n1,0,0\n1,1,0\n";
+  const auto unit = [&](const std::string& head) {
+    return read_curve_file(folder.put("c.csv", head + rows))->length_unit.value_or("none");
+  };
+  CHECK(unit("x,y,z\n") == "none");
+  CHECK(unit("# unit: mm\n") == "mm");
+  CHECK(unit("# Units = m\nx,y,z\n") == "m");
+  CHECK(unit("X(mm),Y(mm),Z(mm)\n") == "mm");
+  CHECK(unit("x [cm], y [cm], z [cm]\n") == "cm");
+  CHECK(unit("# points in some order\n") == "none");
+}
+
 TEST_CASE("curves that are bad are refused with place and remedy") {
   struct Case {
     const char* name;
-    const char* text;
+    std::string_view text;
     const char* error;
   };
   const Case cases[] = {
@@ -146,27 +223,41 @@ TEST_CASE("curves that are bad are refused with place and remedy") {
        "vertices"},
       {"c.obj", "v 0 0 0\nv 1 0 0\nl 1 2 1\n",
        "c.obj:3: a closed curve needs at least 3 different points, found 2"},
-      {"c.obj", "v 0 0 0\nv 1 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3 4\n",
-       "c.obj:5: zero-length edge: vertex 3 repeats vertex 2; remove one of them"},
+      {"c.obj", "v 0 0 0\nv 1 0 0\ncstype bspline\ndeg 3\ncurv 0 1 1 2\n",
+       "c.obj:3: the file holds a free-form curve (cstype), of which control points are known and "
+       "not "
+       "the curve; convert it to a mesh before export (in Blender: Object, Convert, Mesh), so that "
+       "it "
+       "has l (line) elements"},
       {"c.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 1.5 0 0\n",
        "c.obj: the curve turns straight back at vertex 3, where no elastic rod can follow; remove "
        "this point or move it"},
       {"c.csv", "x,y,z\n0,0,0\n1,0,0\nx,y,z\n", "c.csv:4: 'x' is not a number"},
-      {"c.csv", "0,0,0\n1,0\n", "c.csv:2: expected 3 numbers x, y, z, found 2 fields"},
+      {"c.csv", "0,0,0\n1,0\n",
+       "c.csv:2: expected 3 numbers x, y, z, found 2 fields; a flat curve needs a z too: add a "
+       "third column of zeros"},
       {"c.csv", "0,0,0\n1,,0\n", "c.csv:2: '' is not a number"},
       {"c.csv", "0,0,0\n1 2,0,0\n", "c.csv:2: '1 2' is not a number"},
       {"c.csv", "0,0,0\n1,0,NaN\n", "c.csv:2: 'NaN' is not a finite number"},
       {"c.csv", "0,0,0\n1,0,1e999\n", "c.csv:2: '1e999' is not a number"},
       {"c.csv", "0,0,0\n\n1,0,0\n2,0,0\n", "c.csv:1: a curve needs at least 2 points, found 1"},
-      {"c.csv", "0,0,0\n1,0,0\n1,0,0\n",
-       "c.csv:3: zero-length edge: the point in line 3 repeats the point in line 2; remove one of "
-       "them"},
-      {"c.csv", "0,0,0\n0,0,0\n",
-       "c.csv:2: zero-length edge: the point in line 2 repeats the point in line 1; remove one of "
-       "them"},
+      {"c.csv", "0,0,0\n0,0,0\n", "c.csv:1: a curve needs at least 2 different points, found 1"},
+      {"c.csv", std::string_view("0,0,0\n1\0,0,0\n", 14),
+       "c.csv: is not text: it holds NUL bytes; save it as plain text, in UTF-8"},
       {"c.csv", "# nothing\n",
        "c.csv: the file holds no points; expected lines of 3 numbers x, y, z"},
-      {"c.xyz", "3\ntrefoil\n0 0 0\n", "c.xyz:1: expected 3 numbers x, y, z, found 1 field"},
+      {"c.xyz", "3\ntrefoil\n0 0 0\n",
+       "c.xyz:1: expected 3 numbers x, y, z, found 1 field; of an XYZ file of atoms drop the "
+       "count, the "
+       "line after it and the elements, so that three numbers are left on each line"},
+      {"c.xyz", "C 0 0 0\nC 1 0 0\n",
+       "c.xyz:1: expected 3 numbers x, y, z, found 4 fields; drop the word before the three "
+       "numbers "
+       "of each line"},
+      {"c.json", "[{\"x\": 0, \"y\": 0, \"z\": 0}]",
+       "c.json: [0]: expected a point [x, y, z], found an object; write each point {\"x\": 1, "
+       "\"y\": "
+       "2, \"z\": 3} as [1, 2, 3]"},
       {"c.json", "{\"curves\": [\n{\"points\": [[0,0,0],\n[1,0,NaN]]}]}",
        "c.json:3: is not valid JSON: syntax error while parsing value - invalid literal; last "
        "read: '0,N'"},
@@ -187,8 +278,6 @@ TEST_CASE("curves that are bad are refused with place and remedy") {
        "c.json: curves[0].points[1][1]: expected a number, found \"0\""},
       {"c.json", "{\"curves\": [{\"points\": [[0,0,0]]}]}",
        "c.json: curves[0].points: a curve needs at least 2 points, found 1"},
-      {"c.json", "[[0,0,0],[1,0,0],[1,0,1e-12]]",
-       "c.json: [2]: zero-length edge: point 2 repeats point 1; remove one of them"},
       {"c.json", "{\"curves\": [{\"closed\": true, \"points\": [[0,0,0],[1,0,0]]}]}",
        "c.json: curves[0].points: a closed curve needs at least 3 different points, found 2"},
       {"c.json",
@@ -196,6 +285,11 @@ TEST_CASE("curves that are bad are refused with place and remedy") {
        "c.json: curves[0].points: closed is false, but the last point repeats the first; set "
        "closed "
        "to true, or remove the last point"},
+      {"c.json",
+       "{\"curves\": [{\"closed\": false, \"points\": [[0,0,0],[1,0,0],[1,1,0],[0,0,0.001]]}]}",
+       "c.json: curves[0].points: closed is false, but the ends are 0.001 apart, less than 1 % of "
+       "an "
+       "edge; set closed to true, or move them apart"},
       {"c.stl", "solid",
        "c.stl: unknown kind of curve file '.stl'; use .obj, .csv, .xyz, .txt or "
        ".json"},

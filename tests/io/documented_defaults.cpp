@@ -1,6 +1,7 @@
 // docs/scene.md says the defaults that the code has.
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <string>
@@ -66,4 +67,15 @@ TEST_CASE("the page of the scene file has the defaults of the code") {
   CHECK(page.at("sparsity_weights") == "0, 1, 10, ... 1e8");
   CHECK(settings.sparsity_weights.size() == 10);
   CHECK(settings.sparsity_weights.back() == 1e8);
+}
+
+TEST_CASE("the page of the scene file has the materials of the code") {
+  std::ifstream page(TENCER_DOCS "/scene.md");
+  const std::string text{std::istreambuf_iterator<char>(page), {}};
+  for (const model::Material& material : model::materials())
+    CHECK_THAT(text, Catch::Contains("| `" + material.name + "` | " +
+                                     number(material.youngs_modulus / 1e9) + " | " +
+                                     number(*material.density) + " | " +
+                                     number(100 * material.strain_limit) + " | " +
+                                     number(100 * material.breaking_strain) + " |"));
 }

@@ -15,6 +15,7 @@ model::Scene in_unit(model::Scene scene, const std::string& unit, double factor)
     der::Section& section = structure.rods[r].section;
     for (double* stiffness : {&section.EI1, &section.EI2, &section.GJ})
       *stiffness *= factor * factor;
+    section.shape = der::resized(section.shape, factor);
   }
   return scene;
 }

@@ -11,6 +11,7 @@
 
 #include "methods.hpp"
 #include "record.hpp"
+#include "strength.hpp"
 
 namespace tencer::pipeline {
 namespace {
@@ -31,6 +32,23 @@ void suggest_symmetry(const ground_structure::Problem& problem, const RunOptions
                                      "detect, the cables have it too");
 }
 
+// What is known before the search: what is to be built, what was made of the input, bends that the
+// rods do not hold, what is left out, symmetries.
+void introduce(const Task& task, const RunOptions& options) {
+  const model::Scene& scene = task.scene;
+  const ground_structure::Problem& problem = task.prepared.problem;
+  say(options, core::Level::info, model::in_one_line(scene));
+  for (const std::string& note : scene.notes) say(options, core::Level::info, note);
+  for (const std::string& warning :
+       bend_warnings(scene, problem.structure, problem.start, task.prepared.scaling.scale.length))
+    say(options, core::Level::warning, warning);
+  for (const Feature& feature : features_of(scene, task.prepared))
+    if (!feature.used) say(options, core::Level::debug, "no " + feature.name + ": " + feature.why);
+  if (scene.design.symmetry == model::SymmetryUse::suggest &&
+      scene.design.method == model::Method::force_balance)
+    suggest_symmetry(problem, options);
+}
+
 core::Expected<Task> begin(const model::Scene& scene, const RunOptions& options) {
   const model::DesignSettings& settings = scene.design;
   Task task{.scene = scene};
@@ -46,16 +64,12 @@ core::Expected<Task> begin(const model::Scene& scene, const RunOptions& options)
   auto prepared = prepare(scene);
   if (!prepared) return prepared.error();
   task.prepared = std::move(*prepared);
-  for (const Feature& feature : features_of(scene, task.prepared))
-    if (!feature.used) say(options, core::Level::debug, "no " + feature.name + ": " + feature.why);
   if (settings.hand_over) {
     auto released = without_pins(scene, task.prepared.problem);
     if (!released) return released.error();
     task.released = std::move(*released);
   }
-  if (settings.symmetry == model::SymmetryUse::suggest &&
-      settings.method == model::Method::force_balance)
-    suggest_symmetry(task.prepared.problem, options);
+  introduce(task, options);
   return task;
 }
 
@@ -114,21 +128,25 @@ model::StageRow check_settling(const Task& task, const Network& network, Design&
   return row;
 }
 
-// The design of a network: complete unless it falls short of the goal.
+// Whether it is what was asked for and stands: what other cables can mend.
+bool answers(const model::Goal& goal, const Design& design) {
+  return goal.met(score_of(design)) && design.certificate->stable &&
+         design.certificate->settles_from_target.value_or(false);
+}
+
+// The design of a network: complete unless it falls short of something.
 Design certified(const Task& task, const Network& network) {
   Design design = recorded(task, network);
   design.trace.push_back(check_settling(task, network, design));
-  const bool complete = goal_of(task.scene.design).met(score_of(design)) &&
-                        design.certificate->stable && *design.certificate->settles_from_target;
-  design.status =
-      complete ? model::DesignStatus::complete : model::DesignStatus::tolerance_not_reached;
+  design.status = model::shortfalls(design).empty() ? model::DesignStatus::complete
+                                                    : model::DesignStatus::tolerance_not_reached;
   return design;
 }
 
-// The networks certified one after the other, from the one asked for on, until one is complete: it
+// The networks certified one after the other, from the one asked for on, until one answers: it
 // is better than one that does not stand or settles elsewhere, unless it is much further from the
 // target. When none is, the one asked for. Its row of the trace comes last.
-Design first_complete(const Task& task, const Outcome& outcome) {
+Design first_answer(const Task& task, const Outcome& outcome) {
   constexpr int max_tries = 6;
   const model::Goal goal = goal_of(task.scene.design);
   const int step = goal.by_number() ? -1 : 1;
@@ -138,7 +156,7 @@ Design first_complete(const Task& task, const Outcome& outcome) {
   for (int k = 0, i = outcome.asked; k < max_tries && i >= 0 && i < count; i += step, ++k) {
     Design next = certified(task, outcome.networks[i]);
     const bool better =
-        next.complete() && (k == 0 || goal.prefers_settling(score_of(next), score_of(best)));
+        answers(goal, next) && (k == 0 || goal.prefers_settling(score_of(next), score_of(best)));
     if (k == 0 || better) std::swap(best, next);
     if (!next.trace.empty()) checks.push_back(next.trace.back());
     if (better) break;
@@ -179,7 +197,7 @@ core::Expected<Design> design(const model::Scene& scene, const RunOptions& optio
   const auto task = begin(scene, options);
   if (!task) return task.error();
   const Outcome outcome = run_method(*task, false, options);
-  if (!outcome.interrupted) return first_complete(*task, outcome);
+  if (!outcome.interrupted) return first_answer(*task, outcome);
   Design best = recorded(*task, outcome.networks[outcome.asked]);
   best.trace = outcome.trace;
   best.status = model::DesignStatus::interrupted;

@@ -42,10 +42,26 @@ void apply(const DesignOptions& options, model::DesignSettings& settings) {
   if (options.threads) settings.threads = options.threads;
 }
 
+// Of rods that say none.
+model::Material material_of(const DesignOptions& options) {
+  return options.material ? *model::find_material(*options.material) : model::glass_fibre();
+}
+
+// All rods with this section, of a material as stiff as it says.
+void set_section(const der::Section& section, model::Scene& scene) {
+  for (auto& rod : scene.structure.rods) rod.section = section;
+  const auto area = der::area(section.shape);
+  if (!area) return;
+  const double metre = model::metres(scene.length_unit);
+  for (auto& material : scene.structure.materials)
+    material.youngs_modulus =
+        section.EA / *area * model::newtons(scene.force_unit) / (metre * metre);
+}
+
 model::Scene scene_of(const std::vector<Curve>& curves, std::string name,
                       const DesignOptions& options) {
   return model::scene_of(curves, std::move(name), options.length_unit.value_or("cm"),
-                         options.force_unit.value_or("N"));
+                         options.force_unit.value_or("N"), material_of(options));
 }
 
 }  // namespace
@@ -65,6 +81,8 @@ std::optional<std::string> DesignOptions::problem() const {
   if (section && !(positive(section->EA) && positive(section->EI1) && positive(section->EI2) &&
                    positive(section->GJ)))
     return "section: its stiffnesses must be positive numbers";
+  if (material && !model::find_material(*material))
+    return "material: there is no '" + *material + "'; model::materials() has those that there are";
   if (anchors && !anchors->allFinite()) return "anchors must be finite";
   if (longest_cable && !positive(*longest_cable)) return "longest_cable must be a positive number";
   if (!positive(resolution)) return "resolution must be a positive number";
@@ -86,8 +104,7 @@ core::Expected<model::Scene> with_options(model::Scene scene, const DesignOption
   if (options.hessian)
     if (const auto wrong = model::hessian_problem(scene.design.optimizer, scene.design.hessian))
       return core::Error{"DesignOptions", "hessian: " + *wrong};
-  if (options.section)
-    for (auto& rod : scene.structure.rods) rod.section = *options.section;
+  if (options.section) set_section(*options.section, scene);
   take(options.anchors, scene.structure.anchors);
   if (options.rod_pairs) scene.rules.pairs = options.rod_pairs;
   take(options.longest_cable, scene.rules.max_cable_length);
@@ -115,21 +132,24 @@ core::Expected<model::Design> design(const std::filesystem::path& file,
     return core::Error{"DesignOptions", "length_unit, force_unit: the scene " + file.string() +
                                             " says them; set them for bare curves only"};
   if (is_scene) {
-    const auto scene = io::read_scene(file);
+    const auto scene = io::read_scene(file, {.material = material_of(options)});
     return scene ? design(*scene, options) : core::Expected<model::Design>(scene.error());
   }
-  const auto curves = io::read_curves(file);
+  const auto curves = io::read_curve_file(file);
   if (!curves) return curves.error();
-  model::Scene scene = scene_of(*curves, file.stem().string(), options);
+  DesignOptions units = options;
+  if (!options.length_unit) units.length_unit = curves->length_unit;
+  model::Scene scene = scene_of(curves->curves, file.stem().string(), units);
   scene.source = file.string();
+  scene.notes = curves->notes;
   return design(scene, options);
 }
 
 core::Expected<model::Scene> read_scene(const std::filesystem::path& file) {
   if (file.extension() == ".toml") return io::read_scene(file);
-  const auto curves = io::read_curves(file);
+  const auto curves = io::read_curve_file(file);
   if (!curves) return curves.error();
-  return io::scene_of_curves(*curves, file);
+  return io::scene_of_file(*curves, file);
 }
 
 std::optional<core::Error> write_design(const std::filesystem::path& file,

@@ -10,6 +10,8 @@
 #include <tencer/pipeline/symmetry.hpp>
 #include <utility>
 
+#include "strength.hpp"
+
 namespace tencer::pipeline {
 namespace {
 
@@ -130,6 +132,27 @@ std::optional<core::Error> add_candidates(const model::Scene& scene, Problem& pr
   return std::nullopt;
 }
 
+// Edges of one rod whose lengths differ so much that no solver tells its forces from rounding.
+std::optional<core::Error> check_edges(const model::Scene& scene) {
+  constexpr double most = 1000;
+  for (std::size_t r = 0; r < scene.structure.rods.size(); ++r) {
+    const Eigen::VectorXd& lengths = scene.structure.rods[r].rest_lengths;
+    Eigen::Index shortest = 0;
+    Eigen::Index longest = 0;
+    const double ratio = lengths.maxCoeff(&longest) / lengths.minCoeff(&shortest);
+    if (ratio <= most) continue;
+    std::ostringstream message;
+    message.precision(3);
+    message << "rod " << r << " has edges too uneven: from vertex " << shortest << " it is "
+            << lengths[shortest] << ' ' << scene.length_unit << " to the next and from vertex "
+            << longest << ' ' << lengths[longest] << ' ' << scene.length_unit << ", 1 : " << ratio
+            << " where 1 : 1000 is allowed; space the points more evenly (in a scene vertices = "
+            << std::max<Eigen::Index>(100, lengths.size()) << " does so along the curve)";
+    return core::Error{scene.source, message.str()};
+  }
+  return std::nullopt;
+}
+
 // What a scene that was put together by a program may have wrong.
 std::optional<core::Error> check_scene(const model::Scene& scene) {
   if (scene.structure.rods.empty()) return core::Error{scene.source, "has no rods"};
@@ -144,8 +167,8 @@ std::optional<core::Error> check_scene(const model::Scene& scene) {
   } catch (const std::invalid_argument& wrong) {
     return core::Error{scene.source, wrong.what()};
   }
-  if (const auto touching = model::touching_vertices(scene))
-    return core::Error{scene.source, *touching};
+  if (auto error = check_edges(scene)) return error;
+  if (const auto crossing = model::crossing(scene)) return core::Error{scene.source, *crossing};
   return std::nullopt;
 }
 
@@ -165,6 +188,9 @@ core::Expected<Prepared> prepare(const model::Scene& scene) {
                     .planar = scene.structure.planar};
   if (auto error = check_loads(scene, problem)) return *error;
   problem.start = start_of(scene, problem);
+  if (auto error =
+          check_bends(scene, problem.structure, problem.start, prepared.scaling.scale.length))
+    return *error;
   if (scene.design.method == model::Method::force_balance) {
     auto group = symmetry_of(scene, problem, prepared.scaling);
     if (!group) return group.error();

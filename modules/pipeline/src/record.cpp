@@ -40,11 +40,8 @@ void record(const Solved& solved, const model::Scaling& scaling, model::Design& 
        ranges::views::zip(design.built, lengths, assessment.tensions))
     built = {.length = length * scaling.scale.length, .tension = tension * scaling.scale.force()};
   design.strains = model::largest_bending_strains(structure, state);
-  for (auto& strain : design.strains) {
-    if (!strain) continue;
-    strain->s *= scaling.scale.length;
-    strain->curvature /= scaling.scale.length;
-  }
+  for (auto& strain : design.strains)
+    if (strain) strain = model::unscaled(*strain, scaling.scale.length);
   design.error = {.max_percent = deviation.max_percent, .rms_percent = deviation.rms_percent};
   design.certificate = assessment.certificate();
   if (assessment.certified())

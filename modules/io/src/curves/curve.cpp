@@ -3,6 +3,7 @@
 #include <tencer/core/error.hpp>
 #include <tencer/io/curve.hpp>
 #include <tencer/io/file.hpp>
+#include <utility>
 
 #include "curves/curve_json.hpp"
 #include "curves/curve_obj.hpp"
@@ -20,12 +21,30 @@ std::string lower_extension(const std::filesystem::path& path) {
   return extension;
 }
 
+// Bytes as ASCII or UTF-8, from UTF-16 when they begin with its mark; what is not ASCII in that
+// becomes a question mark, which no number holds.
+std::string plain_text(std::string bytes, const std::string& file) {
+  const bool little = bytes.starts_with("\xFF\xFE");
+  if (little || bytes.starts_with("\xFE\xFF")) {
+    std::string text;
+    for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
+      const char low = bytes[little ? i : i + 1];
+      const char high = bytes[little ? i + 1 : i];
+      text += high == 0 && static_cast<unsigned char>(low) < 128 ? low : '?';
+    }
+    return text;
+  }
+  if (bytes.find('\0') != std::string::npos)
+    fail(file, "is not text: it holds NUL bytes; save it as plain text, in UTF-8");
+  return bytes;
+}
+
 }  // namespace
 
-core::Expected<std::vector<geometry::Polyline>> read_curves(const std::filesystem::path& path) {
+core::Expected<CurveFile> read_curve_file(const std::filesystem::path& path) {
   return guarded([&] {
-    const std::string text = value_or_fail(read_file(path));
     const std::string file = path.string();
+    const std::string text = plain_text(value_or_fail(read_file(path)), file);
     const std::string extension = lower_extension(path);
     if (extension == ".obj") return parse_obj(text, file);
     if (extension == ".csv" || extension == ".xyz" || extension == ".txt")
@@ -34,6 +53,12 @@ core::Expected<std::vector<geometry::Polyline>> read_curves(const std::filesyste
     fail(file,
          "unknown kind of curve file '" + extension + "'; use .obj, .csv, .xyz, .txt or .json");
   });
+}
+
+core::Expected<std::vector<geometry::Polyline>> read_curves(const std::filesystem::path& path) {
+  auto file = read_curve_file(path);
+  if (!file) return file.error();
+  return std::move(file->curves);
 }
 
 std::string obj_text(std::span<const geometry::Polyline> curves) {

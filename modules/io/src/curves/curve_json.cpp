@@ -10,15 +10,22 @@
 namespace tencer::io {
 namespace {
 
-geometry::Polyline parse_points(const JsonValue& points, std::optional<bool> closed) {
+geometry::Polyline parse_points(const JsonValue& points, std::optional<bool> closed,
+                                std::vector<std::string>& notes) {
   const std::vector<JsonValue> items = points.items();
   ListedCurve curve;
-  for (const JsonValue& item : items) curve.points.push_back(item.point());
+  for (const JsonValue& item : items) {
+    if (item.raw().is_object())
+      item.fail(
+          "expected a point [x, y, z], found an object; write each point {\"x\": 1, \"y\": 2, "
+          "\"z\": 3} as [1, 2, 3]");
+    curve.points.push_back(item.point());
+  }
   curve.closed = closed;
   curve.where = points.where();
   curve.where_of = [&](int i) { return items[i].where(); };
   curve.name_of = [](int i) { return "point " + std::to_string(i); };
-  return finish_curve(curve);
+  return finish_curve(curve, notes);
 }
 
 // A misspelt "closed" must not turn a ring into an open rod.
@@ -31,22 +38,25 @@ void check_keys(const JsonValue& curve) {
 
 }  // namespace
 
-std::vector<geometry::Polyline> parse_curve_json(std::string_view text, const std::string& file) {
+CurveFile parse_curve_json(std::string_view text, const std::string& file) {
   const nlohmann::json content = JsonValue::parse(text, file);
   const JsonValue root(content, file);
-  if (content.is_array()) return {parse_points(root, std::nullopt)};
+  CurveFile result;
+  if (content.is_array()) {
+    result.curves.push_back(parse_points(root, std::nullopt, result.notes));
+    return result;
+  }
   if (!content.is_object())
     root.fail("expected {\"curves\": [...]} or an array of points [x, y, z]");
   const JsonValue list = root["curves"];
-  std::vector<geometry::Polyline> curves;
   for (const JsonValue& curve : list.items()) {
     std::optional<bool> closed;
     if (curve.has("closed")) closed = curve["closed"].boolean();
     check_keys(curve);
-    curves.push_back(parse_points(curve["points"], closed));
+    result.curves.push_back(parse_points(curve["points"], closed, result.notes));
   }
-  if (curves.empty()) list.fail("holds no curves");
-  return curves;
+  if (result.curves.empty()) list.fail("holds no curves");
+  return result;
 }
 
 }  // namespace tencer::io

@@ -49,12 +49,37 @@ int parse_index(std::string_view field, int vertices, const std::string& where) 
   return static_cast<int>(from_zero);
 }
 
+// Keywords of curves that are given by control points.
+constexpr std::array<std::string_view, 6> free_form{"cstype", "deg",  "curv",
+                                                    "curv2",  "surf", "parm"};
+
+// A line that goes on in the next one, where it ends with a backslash.
+struct LogicalLine {
+  std::string text;
+  int number = 0;  // of its first line
+};
+
+std::vector<LogicalLine> logical_lines(std::string_view text) {
+  std::vector<LogicalLine> result;
+  int number = 0;
+  bool goes_on = false;
+  for (const std::string_view line : lines(text)) {
+    ++number;
+    if (!goes_on) result.push_back({.text = {}, .number = number});
+    const std::string_view content = line.substr(0, line.find('#'));
+    const std::size_t last = content.find_last_not_of(" \t");
+    goes_on = last != std::string_view::npos && content[last] == '\\';
+    result.back().text.append(content.substr(0, goes_on ? last : content.size())).append(1, ' ');
+  }
+  return result;
+}
+
 Content parse_lines(std::string_view text, const std::string& file) {
   Content content;
-  int number = 0;
-  for (const std::string_view line : lines(text)) {
-    const std::string where = file + ":" + std::to_string(++number);
-    const std::vector<std::string_view> fields = words(line.substr(0, line.find('#')));
+  for (const LogicalLine& line : logical_lines(text)) {
+    const int number = line.number;
+    const std::string where = file + ":" + std::to_string(number);
+    const std::vector<std::string_view> fields = words(line.text);
     if (fields.empty()) continue;
     const std::span<const std::string_view> rest = std::span(fields).subspan(1);
     if (fields[0] == "v") {
@@ -70,6 +95,12 @@ Content parse_lines(std::string_view text, const std::string& file) {
       content.chains.push_back(chain);
     } else if (fields[0] == "f") {
       content.face_line = content.face_line.value_or(number);
+    } else if (std::ranges::find(free_form, fields[0]) != free_form.end()) {
+      fail(where,
+           "the file holds a free-form curve (" + std::string(fields[0]) +
+               "), of which control points are known and not the curve; convert it to a mesh "
+               "before export (in Blender: Object, Convert, Mesh), so that it has l (line) "
+               "elements");
     } else if (std::ranges::find(ignored, fields[0]) == ignored.end()) {
       fail(where, "unknown keyword " + quoted(fields[0]) +
                       "; curves are given by v (vertex) and l (line) elements");
@@ -121,7 +152,7 @@ std::vector<Chain> join(const std::vector<Chain>& chains, const std::string& fil
 
 }  // namespace
 
-std::vector<geometry::Polyline> parse_obj(std::string_view text, const std::string& file) {
+CurveFile parse_obj(std::string_view text, const std::string& file) {
   const Content content = parse_lines(text, file);
   std::vector<Chain> chains = join(content.chains, file);
   if (chains.empty() && content.face_line)
@@ -133,7 +164,7 @@ std::vector<geometry::Polyline> parse_obj(std::string_view text, const std::stri
     for (int i = 0; i < static_cast<int>(content.vertices.size()); ++i) all.vertices.push_back(i);
     chains.push_back(std::move(all));
   }
-  std::vector<geometry::Polyline> curves;
+  CurveFile result;
   for (const Chain& chain : chains) {
     const std::string where = chain.line > 0 ? file + ":" + std::to_string(chain.line) : file;
     ListedCurve curve;
@@ -141,9 +172,9 @@ std::vector<geometry::Polyline> parse_obj(std::string_view text, const std::stri
     curve.where = where;
     curve.where_of = [&](int) { return where; };
     curve.name_of = [&](int i) { return "vertex " + std::to_string(chain.vertices[i] + 1); };
-    curves.push_back(finish_curve(curve));
+    result.curves.push_back(finish_curve(curve, result.notes));
   }
-  return curves;
+  return result;
 }
 
 }  // namespace tencer::io

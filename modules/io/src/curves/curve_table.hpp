@@ -3,12 +3,11 @@
 
 #include <string>
 #include <string_view>
-#include <tencer/geometry/polyline.hpp>
-#include <vector>
+#include <tencer/io/curve.hpp>
 
 namespace tencer::io {
 
 // Throws BadInput; `file` is the name for its places.
-std::vector<geometry::Polyline> parse_table(std::string_view text, const std::string& file);
+CurveFile parse_table(std::string_view text, const std::string& file);
 
 }  // namespace tencer::io

@@ -2,6 +2,9 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <numeric>
+#include <sstream>
+#include <tencer/io/curve.hpp>
 
 #include "text/bad_input.hpp"
 #include "text/text.hpp"
@@ -18,6 +21,68 @@ double negligible_length(const Eigen::Matrix3Xd& points) {
   return negligible * (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
+// The indices of points that do not repeat the one before them.
+std::vector<int> different(const std::vector<Eigen::Vector3d>& points, double gap) {
+  std::vector<int> kept;
+  for (int i = 0; i < static_cast<int>(points.size()); ++i)
+    if (kept.empty() || (points[i] - points[kept.back()]).norm() > gap) kept.push_back(i);
+  return kept;
+}
+
+Eigen::Matrix3Xd matrix_of(const std::vector<Eigen::Vector3d>& points,
+                           const std::vector<int>& kept) {
+  Eigen::Matrix3Xd matrix(3, kept.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) matrix.col(i) = points[kept[i]];
+  return matrix;
+}
+
+// Whether an end that does not quite meet the start is meant to.
+struct Ends {
+  double gap = 0.0;
+  double mean_edge = 0.0;
+  double longest_edge = 0.0;
+
+  bool nearly_meet() const { return gap <= 0.01 * mean_edge; }
+  bool neighbours() const { return gap <= 2 * longest_edge; }
+};
+
+Ends ends_of(const Eigen::Matrix3Xd& points) {
+  const Eigen::VectorXd lengths = geometry::edge_lengths({points, false});
+  return {.gap = (points.col(0) - points.rightCols(1)).norm(),
+          .mean_edge = lengths.mean(),
+          .longest_edge = lengths.maxCoeff()};
+}
+
+std::string rounded(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+// Whether a curve whose last point does not repeat its first is closed; what is not told but taken
+// so, or may be meant otherwise, goes to the notes.
+bool closes(const ListedCurve& curve, std::vector<int>& kept, std::vector<std::string>& notes) {
+  constexpr std::size_t fewest = 8;  // points from which two ends are neighbours by no chance
+  if (kept.size() < 4) return curve.closed.value_or(false);
+  const Ends ends = ends_of(matrix_of(curve.points, kept));
+  if (ends.nearly_meet() && curve.closed == false)
+    fail(curve.where,
+         "closed is false, but the ends are " + rounded(ends.gap) +
+             " apart, less than 1 % of an edge; set closed to true, or move them apart");
+  if (ends.nearly_meet()) {
+    kept.pop_back();
+    notes.push_back(curve.where + ": the ends of this curve are " + rounded(ends.gap) +
+                    " apart: it is taken as closed");
+    return true;
+  }
+  if (!curve.closed && kept.size() >= fewest && ends.neighbours())
+    notes.push_back(curve.where + ": this curve is open, with its ends " + rounded(ends.gap) +
+                    " apart, as far as neighbours; to close it say --closed, or closed = true in a "
+                    "scene");
+  return curve.closed.value_or(false);
+}
+
 }  // namespace
 
 double coordinate(std::string_view field, const std::string& where) {
@@ -29,35 +94,58 @@ double coordinate(std::string_view field, const std::string& where) {
   return *number;
 }
 
-geometry::Polyline finish_curve(const ListedCurve& curve) {
-  int n = static_cast<int>(curve.points.size());
-  if (n < 2) fail(curve.where, "a curve needs at least 2 points, found " + std::to_string(n));
-  geometry::Polyline result{Eigen::Matrix3Xd(3, n), false};
-  for (int i = 0; i < n; ++i) result.points.col(i) = curve.points[i];
+geometry::Polyline finish_curve(const ListedCurve& curve, std::vector<std::string>& notes) {
+  const auto listed = static_cast<int>(curve.points.size());
+  if (listed < 2)
+    fail(curve.where, "a curve needs at least 2 points, found " + std::to_string(listed));
+  std::vector<int> all(listed);
+  std::iota(all.begin(), all.end(), 0);
+  const double negligible = negligible_length(matrix_of(curve.points, all));
+  std::vector<int> kept = different(curve.points, negligible);
+  if (kept.size() < 2) fail(curve.where, "a curve needs at least 2 different points, found 1");
+  if (const auto dropped = listed - static_cast<int>(kept.size()); dropped > 0)
+    notes.push_back(curve.where + ": " + std::to_string(dropped) +
+                    (dropped == 1
+                         ? " point of this curve repeats the one before it and is dropped"
+                         : " points of this curve repeat the one before them and are dropped"));
 
-  const bool repeats = n > 2 && (curve.points.front() - curve.points.back()).norm() <=
-                                    negligible_length(result.points);
+  const bool repeats =
+      kept.size() > 2 &&
+      (curve.points[kept.front()] - curve.points[kept.back()]).norm() <= negligible;
   if (repeats && curve.closed == false)
     fail(curve.where,
          "closed is false, but the last point repeats the first; set closed to true, or remove the "
          "last point");
-  const bool closed = curve.closed.value_or(repeats);
-  if (repeats) --n;
-  if (closed && n < 3)
+  if (repeats) kept.pop_back();
+  const bool closed = repeats || closes(curve, kept, notes);
+  if (closed && kept.size() < 3)
     fail(curve.where,
-         "a closed curve needs at least 3 different points, found " + std::to_string(n));
+         "a closed curve needs at least 3 different points, found " + std::to_string(kept.size()));
 
-  result.points.conservativeResize(3, n);
-  result.closed = closed;
-  if (const auto bad = bad_edge(result)) {
-    if (bad->no_length)
-      fail(curve.where_of(bad->to), "zero-length edge: " + curve.name_of(bad->to) + " repeats " +
-                                        curve.name_of(bad->from) + "; remove one of them");
-    fail(curve.where_of(bad->from),
-         "the curve turns straight back at " + curve.name_of(bad->from) +
+  geometry::Polyline result{matrix_of(curve.points, kept), closed};
+  if (const auto bad = bad_edge(result))
+    fail(curve.where_of(kept[bad->from]),
+         "the curve turns straight back at " + curve.name_of(kept[bad->from]) +
              ", where no elastic rod can follow; remove this point or move it");
-  }
   return result;
+}
+
+std::optional<std::string> close_curve(geometry::Polyline& curve) {
+  constexpr double far = 3;  // times the longest edge
+  if (curve.closed) return std::nullopt;
+  if (curve.vertices() < 3)
+    return "a closed curve needs at least 3 different points, found " +
+           std::to_string(curve.vertices());
+  const Ends ends = ends_of(curve.points);
+  if (ends.gap > far * ends.longest_edge)
+    return "the ends of the curve are " + rounded(ends.gap) + " apart, " +
+           rounded(ends.gap / ends.longest_edge) +
+           " times its longest edge; give it points on the way from one to the other, or leave it "
+           "open";
+  curve.closed = true;
+  if (const auto bad = bad_edge(curve))
+    return "closed, the curve turns straight back at its vertex " + std::to_string(bad->from);
+  return std::nullopt;
 }
 
 std::optional<BadEdge> bad_edge(const geometry::Polyline& curve) {

@@ -22,8 +22,9 @@ struct ListedCurve {
   std::function<std::string(int)> name_of;   // "vertex 12", as the file numbers it
 };
 
-// Throws BadInput for what curve.hpp calls an error.
-geometry::Polyline finish_curve(const ListedCurve& curve);
+// Throws BadInput for what curve.hpp calls an error; what it says is dropped or closed goes to the
+// notes.
+geometry::Polyline finish_curve(const ListedCurve& curve, std::vector<std::string>& notes);
 
 // An edge that no elastic rod can follow: one of no length, or one that turns straight back along
 // the edge before it.

@@ -8,7 +8,8 @@
 
 namespace tencer::io {
 
-inline constexpr const char* design_schema = "tencer-design/1";
+inline constexpr const char* design_schema = "tencer-design/2";
+inline constexpr const char* older_schema = "tencer-design/1";  // read, not written
 
 // Throws BadInput for everything design.hpp says is checked.
 model::Design design_from_json(const JsonValue& root);

@@ -84,6 +84,61 @@ void read_frames(const JsonValue& value, int r, Design& design) {
     design.pose_directors[r] = read_directors(value["pose_directors"], design.pose[r], edges);
 }
 
+// A place on a rod by its number and arc length.
+double read_arc_length(const JsonValue& value, const der::Rod& rod) {
+  const double s = value["s"].at_least_zero();
+  if (s > rod.length() * (1.0 + arc_slack))
+    value["s"].fail("expected an arc length from 0 to " + to_text(rod.length()) + ", found " +
+                    to_text(s));
+  return s;
+}
+
+der::Shape read_section(const JsonValue& value) {
+  const std::string shape = value["shape"].text();
+  if (shape == "circle") return der::Circle{value["radius"].positive()};
+  if (shape == "tube") {
+    const der::Tube tube{value["outer_radius"].positive(), value["inner_radius"].at_least_zero()};
+    if (tube.inner_radius >= tube.outer_radius)
+      value["inner_radius"].fail("must be smaller than outer_radius");
+    return tube;
+  }
+  if (shape == "rectangle")
+    return der::Rectangle{value["width"].positive(), value["height"].positive()};
+  value["shape"].fail("expected \"circle\", \"tube\" or \"rectangle\", found \"" + shape + "\"");
+}
+
+Material read_material(const JsonValue& value) {
+  Material material{.name = value["name"].text(),
+                    .youngs_modulus = value["youngs_modulus"].positive(),
+                    .strain_limit = value["strain_limit"].positive(),
+                    .breaking_strain = value["breaking_strain"].positive()};
+  if (value.has("density")) material.density = value["density"].at_least_zero();
+  if (const auto known = find_material(material.name)) material.source = known->source;
+  return material;
+}
+
+BendingStrain read_strain(const JsonValue& value, const der::Rod& rod) {
+  return {.strain = value["largest"].at_least_zero(),
+          .curvature = value["curvature"].at_least_zero(),
+          .vertex = value["vertex"].index(rod.vertices(), "vertex"),
+          .s = read_arc_length(value, rod)};
+}
+
+// What is known of a rod's build: all rods have a material, or none.
+void read_build(const JsonValue& value, Design& design) {
+  Structure& structure = design.structure;
+  der::Rod& rod = structure.rods.back();
+  const bool first = structure.rods.size() == 1;
+  if (value.has("section")) rod.section.shape = read_section(value["section"]);
+  if (value.has("material") == structure.materials.empty() && !first)
+    value.fail("either every rod has a material or none has");
+  if (value.has("material")) structure.materials.push_back(read_material(value["material"]));
+  if (value.has("bending_strain")) {
+    design.strains.resize(structure.rods.size());
+    design.strains.back() = read_strain(value["bending_strain"], rod);
+  }
+}
+
 void read_rod(const JsonValue& value, Design& design) {
   der::Rod& rod = design.structure.rods.emplace_back();
   rod.closed = value["closed"].boolean();
@@ -103,6 +158,7 @@ void read_rod(const JsonValue& value, Design& design) {
   check_count(value["rest_lengths"], rod.rest_lengths.size(), rod.closed ? n : n - 1, "numbers");
   design.target_directors.emplace_back(3, 0);
   design.pose_directors.emplace_back(3, 0);
+  read_build(value, design);
   read_frames(value, static_cast<int>(design.structure.rods.size()) - 1, design);
 }
 
@@ -120,15 +176,6 @@ Pin read_pin(const JsonValue& value, const std::vector<der::Rod>& rods) {
   }
   if (axes.empty()) value["axes"].fail("expected letters of \"xyz\", found none");
   return pin;
-}
-
-// A place on a rod by its number and arc length.
-double read_arc_length(const JsonValue& value, const der::Rod& rod) {
-  const double s = value["s"].at_least_zero();
-  if (s > rod.length() * (1.0 + arc_slack))
-    value["s"].fail("expected an arc length from 0 to " + to_text(rod.length()) + ", found " +
-                    to_text(s));
-  return s;
 }
 
 PointLoad read_point_load(const JsonValue& value, const std::vector<der::Rod>& rods) {
@@ -212,6 +259,7 @@ DesignStatus read_status(const JsonValue& value) {
 void read_structure(const JsonValue& root, Design& design) {
   Structure& structure = design.structure;
   for (const JsonValue& rod : root["rods"].items()) read_rod(rod, design);
+  if (!design.strains.empty()) design.strains.resize(structure.rods.size());
   if (structure.rods.empty()) root["rods"].fail("expected at least one rod");
   const auto each = [&](const char* key, auto&& read) {
     if (root.has(key))
@@ -236,8 +284,9 @@ Design design_from_json(const JsonValue& root) {
   Design design;
   if (!root.raw().is_object()) root.fail("is not a design: expected an object");
   const std::string found = root["schema"].text();
-  if (found != design_schema)
-    root["schema"].fail("expected \"" + std::string(design_schema) + "\", found \"" + found + "\"");
+  if (found != design_schema && found != older_schema)
+    root["schema"].fail("expected \"" + std::string(design_schema) + "\" or \"" + older_schema +
+                        "\", found \"" + found + "\"");
   design.name = optional_text(root, "name");
   if (root.has("status")) design.status = read_status(root["status"]);
   design.length_unit = root["length_unit"].text();

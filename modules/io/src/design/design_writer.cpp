@@ -24,6 +24,28 @@ Json to_json(const Eigen::VectorXd& numbers) {
 
 Json to_json(const Eigen::Vector3d& v) { return Json{v[0], v[1], v[2]}; }
 
+Json to_json(const der::Shape& shape) {
+  if (const auto* circle = std::get_if<der::Circle>(&shape))
+    return Json{{"shape", "circle"}, {"radius", circle->radius}};
+  if (const auto* tube = std::get_if<der::Tube>(&shape))
+    return Json{{"shape", "tube"},
+                {"outer_radius", tube->outer_radius},
+                {"inner_radius", tube->inner_radius}};
+  if (const auto* rectangle = std::get_if<der::Rectangle>(&shape))
+    return Json{{"shape", "rectangle"}, {"width", rectangle->width}, {"height", rectangle->height}};
+  return nullptr;
+}
+
+Json to_json(const Material& material) {
+  Json result;
+  result["name"] = material.name;
+  result["youngs_modulus"] = material.youngs_modulus;
+  if (material.density) result["density"] = *material.density;
+  result["strain_limit"] = material.strain_limit;
+  result["breaking_strain"] = material.breaking_strain;
+  return result;
+}
+
 // Rod r of the design.
 Json rod_to_json(const Design& design, std::size_t r) {
   const der::Rod& rod = design.structure.rods[r];
@@ -32,6 +54,14 @@ Json rod_to_json(const Design& design, std::size_t r) {
   result["EA"] = rod.section.EA;
   result["EI"] = {rod.section.EI1, rod.section.EI2};
   result["GJ"] = rod.section.GJ;
+  if (der::area(rod.section.shape)) result["section"] = to_json(rod.section.shape);
+  if (!design.structure.materials.empty())
+    result["material"] = to_json(design.structure.materials[r]);
+  if (!design.strains.empty() && design.strains[r])
+    result["bending_strain"] = Json{{"largest", design.strains[r]->strain},
+                                    {"vertex", design.strains[r]->vertex},
+                                    {"s", design.strains[r]->s},
+                                    {"curvature", design.strains[r]->curvature}};
   result["rest_lengths"] = to_json(rod.rest_lengths);
   result["target"] = to_json(design.target[r]);
   result["pose"] = to_json(design.pose[r]);
@@ -144,6 +174,7 @@ Json design_to_json(const Design& design) {
   result["schema"] = design_schema;
   result["name"] = design.name;
   result["status"] = status_name(design.status);
+  if (const auto reasons = shortfalls(design); !reasons.empty()) result["shortfalls"] = reasons;
   result["length_unit"] = design.length_unit;
   result["force_unit"] = design.force_unit;
   result["rods"] = rods;

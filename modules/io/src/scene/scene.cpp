@@ -292,11 +292,12 @@ void check_plane(const Scene& scene, const std::string& where) {
                " and anchor " + std::to_string(i) + " has z = " + to_text(anchors(2, i)));
 }
 
-void check_vertices(const Scene& scene) {
-  if (const auto touching = model::touching_vertices(scene)) fail(scene.source, *touching);
+void check_crossings(const Scene& scene) {
+  if (const auto crossing = model::crossing(scene)) fail(scene.source, *crossing);
 }
 
-Scene parse_scene(const TomlTable& root, const std::filesystem::path& path) {
+Scene parse_scene(const TomlTable& root, const std::filesystem::path& path,
+                  const SceneOptions& options) {
   root.only({"name", "length_unit", "force_unit", "planar", "anchors", "frame", "pinned", "gravity",
              "loads", "rod", "design"});
   Scene scene;
@@ -309,7 +310,7 @@ Scene parse_scene(const TomlTable& root, const std::filesystem::path& path) {
   scene.target.planar = structure.planar;
   structure.anchors = root.points("anchors").value_or(structure.anchors);
   read_rods(root, path.parent_path(), root.point("gravity").value_or(Eigen::Vector3d::Zero()),
-            scene);
+            options.material, scene);
   if (const auto frame = root.table("frame")) {
     if (root.has("anchors"))
       root.fail("frame", "its corners are the anchors; give either frame or anchors");
@@ -319,30 +320,45 @@ Scene parse_scene(const TomlTable& root, const std::filesystem::path& path) {
   for (const TomlTable& load : root.tables("loads"))
     structure.point_loads.push_back(read_load(load, scene));
   if (const auto design = root.table("design")) read_design(*design, scene);
-  check_vertices(scene);
+  check_crossings(scene);
   if (structure.planar) check_plane(scene, root.where("planar"));
   return scene;
 }
 
 }  // namespace
 
-core::Expected<Scene> read_scene(const std::filesystem::path& path) {
+core::Expected<Scene> read_scene(const std::filesystem::path& path, const SceneOptions& options) {
   return guarded([&] {
     const std::string text = value_or_fail(read_file(path));
     const toml::table content = TomlTable::parse(text, path.string());
-    return parse_scene(TomlTable(content, path.string()), path);
+    return parse_scene(TomlTable(content, path.string()), path, options);
+  });
+}
+
+core::Expected<Scene> scene_of_file(const CurveFile& file, const std::filesystem::path& source,
+                                    const SceneOptions& options) {
+  return guarded([&] {
+    CurveFile curves = file;
+    for (Polyline& curve : curves.curves)
+      if (options.close)
+        if (const auto problem = close_curve(curve))
+          fail(source.string(), "to be closed: " + *problem);
+    Scene scene = model::scene_of(curves.curves, source.stem().string(),
+                                  curves.length_unit.value_or(Scene().length_unit),
+                                  Scene().force_unit, options.material);
+    scene.source = source.string();
+    scene.notes = curves.notes;
+    if (curves.length_unit)
+      scene.notes.push_back("the file says that its numbers are " + *curves.length_unit);
+    check_crossings(scene);
+    return scene;
   });
 }
 
 core::Expected<Scene> scene_of_curves(const std::vector<Polyline>& curves,
                                       const std::filesystem::path& source) {
-  return guarded([&] {
-    if (curves.empty()) fail(source.string(), "holds no curves");
-    Scene scene = model::scene_of(curves, source.stem().string());
-    scene.source = source.string();
-    check_vertices(scene);
-    return scene;
-  });
+  if (curves.empty()) return core::Error{source.string(), "holds no curves"};
+  return scene_of_file({.curves = curves}, source);
 }
 
 }  // namespace tencer::io

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <tencer/curves/families.hpp>
 #include <tencer/geometry/sampling.hpp>
 #include <tencer/geometry/spline.hpp>
 #include <tencer/io/curve.hpp>
 #include <tencer/model/rest_shape.hpp>
+#include <tencer/model/units.hpp>
 #include <utility>
 
 #include "curves/finish_curve.hpp"
@@ -48,19 +50,30 @@ std::vector<Polyline> family_targets(const TomlTable& rod) {
   return curves::family_curves(family, values, vertices);
 }
 
-std::vector<Polyline> file_targets(const TomlTable& rod, const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / *rod.text("curve");
+// Where the curves of a scene are, and what of them its author may want to know.
+struct Source {
+  std::filesystem::path folder{};
+  Units units{};
+  model::Material material{};  // of rods that say none
+  std::vector<std::string>& notes;
+};
+
+std::vector<Polyline> file_targets(const TomlTable& rod, const Source& source) {
+  const std::filesystem::path file = source.folder / *rod.text("curve");
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
     rod.fail("curve", "there is no file " + file.string());
-  std::vector<Polyline> curves = value_or_fail(read_curves(file));
-  if (const auto vertices = rod.integer("vertices", min_vertices, geometry::max_vertices))
-    for (Polyline& curve : curves) curve = geometry::resample(curve, *vertices);
-  return curves;
+  CurveFile content = value_or_fail(read_curve_file(file));
+  source.notes.insert(source.notes.end(), content.notes.begin(), content.notes.end());
+  if (content.length_unit && *content.length_unit != source.units.length)
+    source.notes.push_back(file.string() + " says that its numbers are " + *content.length_unit +
+                           ", but the scene's length_unit is " + source.units.length +
+                           ", and that is taken");
+  return std::move(content.curves);
 }
 
 // A smooth curve through the points that are given.
-std::vector<Polyline> spline_targets(const TomlTable& rod) {
+std::vector<Polyline> spline_targets(const TomlTable& rod, const Source& source) {
   constexpr int standard_vertices = 100;
   const std::string where = rod.where("spline");
   ListedCurve listed;
@@ -71,12 +84,26 @@ std::vector<Polyline> spline_targets(const TomlTable& rod) {
   for (const auto& point : points.colwise()) listed.points.emplace_back(point);
   const int vertices =
       rod.integer("vertices", min_vertices, geometry::max_vertices).value_or(standard_vertices);
-  return {geometry::sample_spline(finish_curve(listed), vertices)};
+  return {geometry::sample_spline(finish_curve(listed, source.notes), vertices)};
+}
+
+// What the table says of it, where the curves are not so already.
+void close_or_check(const TomlTable& table, std::vector<Polyline>& curves) {
+  const auto closed = table.boolean("closed");
+  if (!closed) return;
+  for (Polyline& curve : curves) {
+    if (curve.closed && !*closed)
+      table.fail("closed",
+                 "is false, but the curve is closed: its end meets its start; remove the key or "
+                 "open the curve");
+    if (*closed)
+      if (const auto problem = close_curve(curve)) table.fail("closed", "is true, but " + *problem);
+  }
 }
 
 // The curves that a table names by `curve` and `index`, by `family` and `parameters`, or by
 // `spline`.
-std::vector<Polyline> curves_of(const TomlTable& table, const std::filesystem::path& folder) {
+std::vector<Polyline> curves_of(const TomlTable& table, const Source& source) {
   if (table.has("curve") + table.has("family") + table.has("spline") != 1)
     fail(table.where(),
          "a rod needs either curve = \"FILE\" or family = \"NAME\" or spline = [[x, y, z], ...]");
@@ -85,15 +112,19 @@ std::vector<Polyline> curves_of(const TomlTable& table, const std::filesystem::p
   if (table.has("index") && table.has("spline"))
     table.fail("index", "belongs to curve or family; a spline is one curve");
   table.text("curve");
-  std::vector<Polyline> curves = table.has("curve")    ? file_targets(table, folder)
+  std::vector<Polyline> curves = table.has("curve")    ? file_targets(table, source)
                                  : table.has("family") ? family_targets(table)
-                                                       : spline_targets(table);
+                                                       : spline_targets(table, source);
   if (const auto index = table.integer("index", 0)) {
     if (*index >= static_cast<int>(curves.size()))
       table.fail("index", "there is no curve " + std::to_string(*index) + "; " +
                               index_range(static_cast<int>(curves.size())));
     curves = {curves[*index]};
   }
+  close_or_check(table, curves);
+  if (table.has("curve"))
+    if (const auto vertices = table.integer("vertices", min_vertices, geometry::max_vertices))
+      for (Polyline& curve : curves) curve = geometry::resample(curve, *vertices);
   return curves;
 }
 
@@ -103,7 +134,7 @@ Eigen::Vector3d direction(const TomlTable& table, std::string_view key) {
   return vector;
 }
 
-model::RestShape read_rest(const TomlTable& rest, const std::filesystem::path& folder) {
+model::RestShape read_rest(const TomlTable& rest, const Source& source) {
   model::RestShape shape;
   if (rest.has("curvature")) {
     rest.only({"curvature"});
@@ -112,7 +143,7 @@ model::RestShape read_rest(const TomlTable& rest, const std::filesystem::path& f
   }
   rest.only(
       {"curve", "index", "family", "parameters", "spline", "vertices", "director", "curvature"});
-  std::vector<Polyline> curves = curves_of(rest, folder);
+  std::vector<Polyline> curves = curves_of(rest, source);
   if (curves.size() != 1)
     fail(rest.where(), "rest names " + std::to_string(curves.size()) +
                            " curves; say which with index = 0, 1, ...");
@@ -123,7 +154,7 @@ model::RestShape read_rest(const TomlTable& rest, const std::filesystem::path& f
 
 // What a [[rod]] table says of each of its rods.
 struct ListedRod {
-  Polyline target;
+  Polyline target{};
   model::RestShape rest{};
   std::optional<Eigen::Vector3d> director{};
   std::optional<double> closing_angle{};
@@ -153,30 +184,19 @@ void check_rest_curve(const TomlTable& table, const ListedRod& rod) {
                            to_text(target) + "; they must agree to 1 %");
 }
 
-void check_closed(const TomlTable& table, const std::vector<Polyline>& curves) {
-  const auto closed = table.boolean("closed");
-  if (!closed) return;
-  for (const Polyline& curve : curves)
-    if (curve.closed != *closed)
-      table.fail("closed", curve.closed ? "is false, but the curve is closed: its end meets its "
-                                          "start; remove the key or open the curve"
-                                        : "is true, but the curve is open: its last point does "
-                                          "not repeat its first; remove the key or close the "
-                                          "curve");
-}
-
-std::vector<ListedRod> read_rod(const TomlTable& table, const std::filesystem::path& folder) {
+std::vector<ListedRod> read_rod(const TomlTable& table, const Source& source) {
   table.only({"curve", "index", "family", "parameters", "spline", "vertices", "closed", "section",
-              "director", "rest", "closing_turns"});
-  std::vector<Polyline> curves = curves_of(table, folder);
-  check_closed(table, curves);
-  const SectionWish section = section_wish(table);
+              "material", "director", "rest", "closing_turns"});
+  std::vector<Polyline> curves = curves_of(table, source);
+  const SectionWish section = section_wish(table, source.units, source.material);
   std::vector<ListedRod> rods;
   for (Polyline& curve : curves) {
-    ListedRod rod{.target = std::move(curve), .section = section};
+    ListedRod rod;
+    rod.target = std::move(curve);
+    rod.section = section;
     if (table.has("director")) rod.director = direction(table, "director");
     if (const auto rest = table.table("rest")) {
-      rod.rest = read_rest(*rest, folder);
+      rod.rest = read_rest(*rest, source);
       if (rod.rest.curve) check_rest_curve(table, rod);
       check_rest_curvature(table, rod);
     }
@@ -207,7 +227,7 @@ void check_directors(const TomlTable& table, const ListedRod& rod, const der::Se
 void add(const ListedRod& listed, double radius, const Eigen::Vector3d& gravity,
          const TomlTable& table, model::Scene& scene) {
   const Units units{scene.length_unit, scene.force_unit};
-  model::add_rod(scene, listed.target);
+  model::add_rod(scene, listed.target, listed.section.material);
   der::Rod& rod = scene.structure.rods.back();
   rod.section = section(listed.section, radius, units);
   rod.closing_angle = listed.closing_angle;
@@ -215,30 +235,43 @@ void add(const ListedRod& listed, double radius, const Eigen::Vector3d& gravity,
   scene.directors.back() = listed.director;
   check_directors(table, listed, rod.section);
   if (gravity.isZero(0)) return;
-  if (!listed.section.density)
-    fail(table.where(), listed.section.shape == SectionShape::stiffnesses
-                            ? "gravity needs section.mass_per_length, in kg/m"
-                            : "gravity needs section.density, in kg/m^3");
+  const auto mass = mass_per_length(listed.section, rod.section, units);
+  if (!mass) fail(table.where(), "gravity needs section.mass_per_length, in kg/m");
   scene.structure.line_loads.push_back(
       {static_cast<int>(scene.structure.rods.size()) - 1,
-       weight_per_length(listed.section, rod.section, gravity, units)});
+       *mass * gravity * (model::metres(units.length) / model::newtons(units.force))});
+}
+
+// The radius of rods that say none: one stock, thin enough for each of them.
+double radius_for(const std::vector<ListedRod>& rods) {
+  std::vector<Polyline> targets;
+  for (const ListedRod& rod : rods)
+    if (rod.section.radius_to_choose()) targets.push_back(rod.target);
+  double radius = std::numeric_limits<double>::infinity();
+  for (const ListedRod& rod : rods)
+    if (rod.section.radius_to_choose())
+      radius = std::min(radius, model::chosen_radius(targets, rod.section.material));
+  return radius;
 }
 
 }  // namespace
 
 void read_rods(const TomlTable& root, const std::filesystem::path& folder,
-               const Eigen::Vector3d& gravity, model::Scene& scene) {
+               const Eigen::Vector3d& gravity, const model::Material& material,
+               model::Scene& scene) {
+  const Source source{.folder = folder,
+                      .units = {scene.length_unit, scene.force_unit},
+                      .material = material,
+                      .notes = scene.notes};
   std::vector<ListedRod> rods;
   std::vector<TomlTable> tables;
-  std::vector<Polyline> targets;
   for (const TomlTable& table : root.tables("rod"))
-    for (ListedRod& listed : read_rod(table, folder)) {
-      targets.push_back(listed.target);
+    for (ListedRod& listed : read_rod(table, source)) {
       rods.push_back(std::move(listed));
       tables.push_back(table);
     }
   if (rods.empty()) fail(root.where(), "a scene needs at least one [[rod]] table");
-  const double radius = model::default_radius(targets);
+  const double radius = radius_for(rods);
   for (std::size_t i = 0; i < rods.size(); ++i) add(rods[i], radius, gravity, tables[i], scene);
 }
 

@@ -4,12 +4,10 @@
 #include <tencer/model/design.hpp>
 #include <tencer/model/units.hpp>
 
+#include "words.hpp"
+
 namespace tencer::model {
 namespace {
-
-std::string counted(int count, const std::string& thing) {
-  return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
-}
 
 double millimetres(const Design& design, double length) {
   return 1000 * metres(design.length_unit) * length;
@@ -66,6 +64,10 @@ std::vector<std::string> shortfalls(const Design& design) {
       text << "the max error is above the " << design.goal->max_error_percent << " % asked for";
     reasons.push_back(text.str());
   }
+  for (std::size_t r = 0; r < design.strains.size(); ++r)
+    if (auto problem = bend_problem(design.structure, r, design.target[r], design.strains[r],
+                                    design.length_unit))
+      reasons.push_back(std::move(*problem));
   if (!design.certificate) return reasons;
   const Certificate& certificate = *design.certificate;
   add(!certificate.stable, "it does not stand");

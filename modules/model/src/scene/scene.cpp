@@ -1,15 +1,30 @@
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 #include <tencer/core/error.hpp>
+#include <tencer/der/curvature.hpp>
+#include <tencer/geometry/corners.hpp>
 #include <tencer/geometry/measure.hpp>
 #include <tencer/model/scene.hpp>
-#include <tencer/model/units.hpp>
 #include <utility>
 
 namespace tencer::model {
 namespace {
 
-std::string vertex_name(int rod, int vertex) {
-  return "vertex " + std::to_string(vertex) + " of rod " + std::to_string(rod);
+std::string place_name(const Scene& scene, const geometry::EdgePoint& place) {
+  const Eigen::VectorXd& lengths = scene.structure.rods[place.rod].rest_lengths;
+  std::ostringstream text;
+  text.precision(4);
+  text << "arc length " << lengths.head(place.edge).sum() + place.t * lengths[place.edge] << ' '
+       << scene.length_unit << " of rod " << place.rod;
+  return text.str();
+}
+
+// Rounded down.
+double two_digits(double value) {
+  constexpr double rounding = 1e-9;  // of a number that has two digits already
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1);
+  return std::floor(value / digit * (1 + rounding)) * digit;
 }
 
 }  // namespace
@@ -25,47 +40,55 @@ std::vector<geometry::Polyline> target_curves(const Scene& scene) {
   return curves;
 }
 
-void add_rod(Scene& scene, const geometry::Polyline& curve) {
+void add_rod(Scene& scene, const geometry::Polyline& curve, const Material& material) {
   scene.structure.rods.push_back(
       {.closed = curve.closed, .section = {}, .rest_lengths = geometry::edge_lengths(curve)});
+  scene.structure.materials.push_back(material);
   scene.target.points.push_back(curve.points);
   scene.target.weights.emplace_back(Eigen::VectorXd::Ones(curve.vertices()));
   scene.directors.emplace_back();
 }
 
-std::optional<std::string> touching_vertices(const Scene& scene) {
+std::optional<std::string> crossing(const Scene& scene) {
   constexpr double negligible_gap = 1e-9;  // relative to the bounding-box diagonal
   const auto curves = target_curves(scene);
-  const auto closest = geometry::closest_vertices(curves);
+  const auto closest = geometry::closest_approach(curves);
   if (!closest || closest->distance > negligible_gap * geometry::bounding_box_diagonal(curves))
     return std::nullopt;
-  return (closest->rod_a == closest->rod_b ? "the rod crosses itself: " : "two rods cross: ") +
-         vertex_name(closest->rod_a, closest->vertex_a) + " and " +
-         vertex_name(closest->rod_b, closest->vertex_b) +
-         " are the same point, and a cable between them has no length; move the curves apart there";
+  return (closest->a.rod == closest->b.rod ? "the rod crosses itself: " : "two rods cross: ") +
+         place_name(scene, closest->a) + " and " + place_name(scene, closest->b) +
+         " are the same point; move the curves apart there";
 }
 
-double default_radius(const std::vector<geometry::Polyline>& curves) {
+double chosen_radius(const std::vector<geometry::Polyline>& curves, const Material& material) {
+  constexpr double slender = 1e-3;  // of the longest
   double longest = 0.0;
-  for (const auto& curve : curves) longest = std::max(longest, geometry::edge_lengths(curve).sum());
-  return longest / 1000.0;
-}
-
-double glass_fibre_modulus(const std::string& length_unit, const std::string& force_unit) {
-  const double length = metres(length_unit);
-  return 40e9 / newtons(force_unit) * (length * length);
+  double curvature = 0.0;
+  for (const auto& curve : curves) {
+    const der::Rod rod{.closed = curve.closed, .section = {}, .rest_lengths = edge_lengths(curve)};
+    longest = std::max(longest, rod.length());
+    Eigen::RowVectorXd bends =
+        der::bending_curvature(rod, der::make_state(rod, curve.points)).row(0);
+    for (const geometry::Corner& corner : geometry::corners(curve))
+      bends[curve.closed ? corner.vertex : corner.vertex - 1] = 0;
+    if (bends.size() > 0) curvature = std::max(curvature, bends.maxCoeff());
+  }
+  const double most = slender * longest;
+  return two_digits(curvature * most > material.strain_limit ? material.strain_limit / curvature
+                                                             : most);
 }
 
 Scene scene_of(const std::vector<geometry::Polyline>& curves, std::string name,
-               std::string length_unit, std::string force_unit) {
+               std::string length_unit, std::string force_unit, const Material& material) {
   constexpr double poisson = 0.3;
   Scene scene{.name = std::move(name),
               .length_unit = std::move(length_unit),
               .force_unit = std::move(force_unit)};
-  const auto section = der::solid_circle(glass_fibre_modulus(scene.length_unit, scene.force_unit),
-                                         poisson, default_radius(curves));
+  const auto section =
+      der::solid_circle(youngs_modulus_in(material, scene.length_unit, scene.force_unit), poisson,
+                        chosen_radius(curves, material));
   for (const auto& curve : curves) {
-    add_rod(scene, curve);
+    add_rod(scene, curve, material);
     scene.structure.rods.back().section = section;
   }
   return scene;

@@ -33,9 +33,11 @@ der::Section round_rod(double youngs_modulus, double radius, double poisson = 0.
 // What is not set is as the scene says, or has the default that docs/scene.md tells under the same
 // name.
 struct DesignOptions {
-  std::optional<std::string> length_unit{};   // of bare curves: mm, cm (the default), m
-  std::optional<std::string> force_unit{};    // of bare curves: mN, N (the default), kN
-  std::optional<der::Section> section{};      // of all rods; round glass fibre by default
+  std::optional<std::string> length_unit{};  // of bare curves: mm, cm (the default), m
+  std::optional<std::string> force_unit{};   // of bare curves: mN, N (the default), kN
+  // Of all rods; by default round ones of a radius that their bends allow.
+  std::optional<der::Section> section{};
+  std::optional<std::string> material{};  // of rods that say none: "ash"; glass fibre by default
   std::optional<Eigen::Matrix3Xd> anchors{};  // 3 x k, fixed points for cables
   std::optional<double> max_error{};          // percent of the target's bounding-box diagonal
   std::optional<int> cables{};                // the closest design with at most so many instead

@@ -1,6 +1,9 @@
-// The design file, design.json, schema "tencer-design/1": a designed structure and what is known of
-// it, in the file's own units.
+// The design file, design.json, schema "tencer-design/2": a designed structure and what is known of
+// it, in the file's own units. "tencer-design/1" is read too: its rods say no section and material.
 //
+// A rod has its stiffnesses EA, EI, GJ, and where they are known its section ("shape" and sizes),
+// its material (youngs_modulus in Pa, density in kg/m^3, strains as fractions) and the largest
+// bending strain of its pose. "shortfalls" are written for readers: why the design is not complete.
 // In the file a matrix of points is an array of n triples; a cable's end is {"rod", "s"} (arc
 // length at rest, in [0, length of the rod]) or {"anchor"}; length and tension are those of the
 // inextensible cable at the pose, and a cable that can be simulated as a spring also has a

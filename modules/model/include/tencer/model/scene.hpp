@@ -25,6 +25,7 @@ struct Scene {
   // set: however the rod likes best.
   std::vector<std::optional<Eigen::Vector3d>> directors{};
   Rules rules{};
+  std::vector<std::string> notes{};  // what was made of the input that its author may want to know
   std::vector<SymmetryGenerator> generators{};  // for SymmetryUse::given
   DesignSettings design{};
 };
@@ -35,22 +36,26 @@ std::vector<geometry::Polyline> target_curves(const Scene& scene);
 
 // Adds a rod with `curve` as its target: straight at rest, weights of 1, no director. Its section
 // is for the caller to set.
-void add_rod(Scene& scene, const geometry::Polyline& curve);
+void add_rod(Scene& scene, const geometry::Polyline& curve,
+             const Material& material = glass_fibre());
 
-// Two vertices of the targets that coincide, in words, so that a cable between them would have no
-// length; not set when there are none.
-std::optional<std::string> touching_vertices(const Scene& scene);
+// Where the targets cross each other or themselves, in words, with or without a vertex there; not
+// set when they do not. Time grows with the square of the number of edges.
+std::optional<std::string> crossing(const Scene& scene);
 
-// The radius of all rods of a scene that says nothing of it: 1/1000 of the longest.
-double default_radius(const std::vector<geometry::Polyline>& curves);
+// The radius of all round rods of a scene that says nothing of it, so that they can be built: the
+// largest of two digits with which no bend of a curve, corners apart, strains the material beyond
+// what it holds for long, and at most 1/1000 of the longest curve. Units of the curves.
+double chosen_radius(const std::vector<geometry::Polyline>& curves, const Material& material);
 
-// Young's modulus of glass fibre, 40 GPa (paper table 1), in force_unit / length_unit^2. Units: mm,
-// cm, m; mN, N, kN. Throws std::invalid_argument for others.
-double glass_fibre_modulus(const std::string& length_unit, const std::string& force_unit);
-
-// The scene of bare curves with every default: round glass fibre, a thousandth of the longest rod
-// in radius. Lengths are in length_unit.
+// The scene of bare curves with every default: round rods of one stock, of the radius above.
+// Lengths are in length_unit; units as in units.hpp, std::invalid_argument for others.
 Scene scene_of(const std::vector<geometry::Polyline>& curves, std::string name = "curves",
-               std::string length_unit = "cm", std::string force_unit = "N");
+               std::string length_unit = "cm", std::string force_unit = "N",
+               const Material& material = glass_fibre());
+
+// What is to be built, in one line: "1 closed rod, 197.8 cm, circle r 0.95 mm, glass fibre, 12 g;
+// fits in 38 x 35 x 14 cm". Sizes are those of the targets; what is not known is left out.
+std::string in_one_line(const Scene& scene);
 
 }  // namespace tencer::model

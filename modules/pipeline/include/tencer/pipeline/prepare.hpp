@@ -17,7 +17,8 @@ struct Prepared {
 };
 
 // Errors name the scene's source or its key: rules that allow no cable, a rod whose vertices meet,
-// an anchor on a rod, anchors that do not enclose the target, loads that nothing holds, a symmetry
+// edges of a rod that differ by more than 1 : 1000, a rod thicker than its bends are wide, an
+// anchor on a rod, anchors that do not enclose the target, loads that nothing holds, a symmetry
 // that is not there.
 core::Expected<Prepared> prepare(const model::Scene& scene);
 

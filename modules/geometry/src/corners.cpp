@@ -1,0 +1,77 @@
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <tencer/geometry/corners.hpp>
+
+namespace tencer::geometry {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+// Per bending vertex (all of a closed curve, the inner ones of an open one): the axis about which
+// the curve turns there, as long as twice the tangent of half the angle.
+Eigen::Matrix3Xd turns(const Polyline& curve) {
+  const Eigen::Matrix3Xd tangents = edge_vectors(curve).colwise().normalized();
+  const int edges = curve.edges();
+  Eigen::Matrix3Xd result(3, curve.closed ? edges : edges - 1);
+  for (int b = 0; b < result.cols(); ++b) {
+    const Eigen::Vector3d before = tangents.col(curve.closed ? (b + edges - 1) % edges : b);
+    const Eigen::Vector3d after = tangents.col(curve.closed ? b : b + 1);
+    result.col(b) = 2 * before.cross(after) / (1 + before.dot(after));
+  }
+  return result;
+}
+
+double angle_of(const Eigen::Vector3d& turn) { return 2 * std::atan(turn.norm() / 2); }
+
+// Whether the curve turns much further at bending vertex b than at its neighbours.
+bool stands_alone(const Eigen::Matrix3Xd& turns, bool closed, Eigen::Index b) {
+  constexpr double far = 4;
+  const Eigen::Index count = turns.cols();
+  double sum = 0;
+  int neighbours = 0;
+  for (const Eigen::Index step : {count - 1, Eigen::Index(1)}) {
+    const Eigen::Index at = (b + step) % count;
+    if (at == b || (!closed && std::abs(at - b) != 1)) continue;
+    sum += angle_of(turns.col(at));
+    ++neighbours;
+  }
+  return neighbours > 0 && angle_of(turns.col(b)) * neighbours > far * sum;
+}
+
+}  // namespace
+
+std::vector<Corner> corners(const Polyline& curve) {
+  constexpr double sharp = 45 * degree;
+  constexpr double visible = 20 * degree;
+  const Eigen::Matrix3Xd turn = turns(curve);
+  const Eigen::VectorXd lengths = edge_lengths(curve);
+  std::vector<Corner> found;
+  for (Eigen::Index b = 0; b < turn.cols(); ++b) {
+    const double angle = angle_of(turn.col(b));
+    if (angle <= visible || (angle <= sharp && !stands_alone(turn, curve.closed, b))) continue;
+    const int vertex = static_cast<int>(curve.closed ? b : b + 1);
+    found.push_back({.vertex = vertex, .s = lengths.head(vertex).sum(), .angle = angle});
+  }
+  return found;
+}
+
+bool is_rough(const Polyline& curve) {
+  constexpr int few = 12;
+  constexpr double slight = 1 * degree;
+  if (curve.vertices() < few) return false;
+  const Eigen::Matrix3Xd turn = turns(curve);
+  double squares = 0;
+  double changes = 0;
+  int pairs = 0;
+  for (Eigen::Index b = curve.closed ? 0 : 1; b < turn.cols(); ++b) {
+    const Eigen::Index before = (b + turn.cols() - 1) % turn.cols();
+    if (stands_alone(turn, curve.closed, b) || stands_alone(turn, curve.closed, before)) continue;
+    squares += (turn.col(b).squaredNorm() + turn.col(before).squaredNorm()) / 2;
+    changes += (turn.col(b) - turn.col(before)).squaredNorm();
+    ++pairs;
+  }
+  return squares > slight * slight * pairs && changes > squares;
+}
+
+}  // namespace tencer::geometry
