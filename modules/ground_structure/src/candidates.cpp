@@ -5,6 +5,7 @@
 #include <string>
 #include <tencer/geometry/arc_length.hpp>
 #include <tencer/ground_structure/candidates.hpp>
+#include <tencer/model/clearance.hpp>
 
 namespace tencer::ground_structure {
 namespace {
@@ -95,11 +96,22 @@ class Collector {
     return std::nullopt;
   }
 
+  // Leaves out the cables that rods are in the way of.
+  void keep_clear() {
+    if (!rules_.gaps) return;
+    const model::State state = make_state(structure_, positions_);
+    const model::CablePasses passes(structure_, state, *rules_.gaps);
+    const auto count =
+        std::erase_if(cables_, [&](const springs::Cable& cable) { return !passes.clear(cable); });
+    any_in_the_way_ = count > 0;
+  }
+
   core::Expected<std::vector<springs::Cable>> take() {
     if (!cables_.empty()) return std::move(cables_);
     std::string why =
         "the pairs of rods leave none; allow cables between more rods, within a rod, or to anchors";
     if (any_pair_) why = "every one would be longer than the longest cable allowed";
+    if (any_in_the_way_) why = "rods are in the way of every one; allow less clearance";
     if (nodes_.empty()) why = "the forbidden arcs cover every vertex";
     return core::Error{.where = {}, .message = "no cables are allowed: " + why};
   }
@@ -125,6 +137,7 @@ class Collector {
   double touching_ = std::numeric_limits<double>::infinity();
   std::vector<springs::Cable> cables_;
   bool any_pair_ = false;
+  bool any_in_the_way_ = false;
 };
 
 }  // namespace
@@ -142,6 +155,7 @@ core::Expected<std::vector<springs::Cable>> candidates(
   if (auto error = collector.add_between_rods()) return *error;
   if (rules.external)
     if (auto error = collector.add_to_anchors()) return *error;
+  collector.keep_clear();
   return collector.take();
 }
 

@@ -22,6 +22,12 @@ Interval unrolled(const Arc& arc, const geometry::ArcLength& along) {
 
 }  // namespace
 
+void Gaps::validate() const {
+  core::require(clearance.value_or(0.0) >= 0, "Gaps::clearance must not be negative");
+  core::require(mark_distance.value_or(0.0) >= 0, "Gaps::mark_distance must not be negative");
+  core::require(own_radii >= 0, "Gaps::own_radii must not be negative");
+}
+
 void validate(const Rules& rules, const Structure& structure) {
   const int rods = static_cast<int>(structure.rods.size());
   const auto exists = [&](int rod) { return rod >= 0 && rod < rods; };
@@ -38,6 +44,7 @@ void validate(const Rules& rules, const Structure& structure) {
                   "Rules::forbidden: longer than the rod");
   }
   core::require(rules.max_cable_length > 0, "Rules::max_cable_length must be positive");
+  if (rules.gaps) rules.gaps->validate();
 }
 
 bool pair_allowed(const Rules& rules, int rod_a, int rod_b) {

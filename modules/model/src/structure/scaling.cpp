@@ -72,6 +72,10 @@ Rules scaled(Rules rules, const Scaling& scaling) {
     arc.to /= scaling.scale.length;
   }
   rules.max_cable_length /= scaling.scale.length;
+  if (rules.gaps) {
+    if (rules.gaps->clearance) *rules.gaps->clearance /= scaling.scale.length;
+    if (rules.gaps->mark_distance) *rules.gaps->mark_distance /= scaling.scale.length;
+  }
   return rules;
 }
 

@@ -21,12 +21,30 @@ struct Arc {
   double to = 0.0;
 };
 
+// What keeps clear of what. Lengths are in the structure's units.
+struct Gaps {
+  // Between a cable's line and a rod's surface; not set: the rod's outer radius.
+  std::optional<double> clearance{};
+  // Between the marks of two cables on a rod, unless they are the same; not set: four outer radii.
+  std::optional<double> mark_distance{};
+  // To either side of its own end a cable may be as near its rod as it likes for so many outer
+  // radii, and no more than a quarter of the way to its other end: it has left the rod by then.
+  double own_radii = 6.0;
+
+  double from_axis(double radius) const { return radius + clearance.value_or(radius); }
+  double between_marks(double radius) const { return mark_distance.value_or(4 * radius); }
+
+  // Throws std::invalid_argument, naming the field, for a negative number.
+  void validate() const;
+};
+
 // Lengths are in the structure's units.
 struct Rules {
   std::optional<std::vector<RodPair>> pairs{};  // rods that cables may join; not set: any
   std::vector<Arc> forbidden{};                 // where no cable may attach
   double max_cable_length = std::numeric_limits<double>::infinity();
-  bool external = true;  // cables to anchors, when the structure has any
+  bool external = true;        // cables to anchors, when the structure has any
+  std::optional<Gaps> gaps{};  // what keeps clear of what; not set: cables may pass through rods
 };
 
 // Throws std::invalid_argument, naming the field, unless rods exist, arcs lie on their rod and
