@@ -51,3 +51,15 @@ run_tencer(design open.csv -o open)
 expect_first_line("${err}" "1 open rod, 56.94 mm, ")
 expect_contains("${err}" "this curve is open, with its ends 5.18 apart, as far as neighbours")
 refused("--closed: " "closed = true" design thick.toml -o out --closed)
+
+# A check is of the material that the file names.
+run_tencer(check ash/design.json --json)
+string(JSON material GET "${out}" holds material)
+if(NOT material STREQUAL "ash")
+  message(SEND_ERROR "the check is of ${material}")
+endif()
+
+# Too few vertices for what they stand for are told.
+run_tencer(target torus-knot --vertices 48 -o coarse.obj)
+run_tencer(design coarse.obj -o coarse --quiet)
+expect_contains("${err}" "with four times as many it comes to rest ")

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <chrono>
+#include <sstream>
 #include <string>
 #include <tencer/model/frames.hpp>
 #include <tencer/network/settling.hpp>
 #include <tencer/pipeline/design.hpp>
 #include <tencer/pipeline/omissions.hpp>
+#include <tencer/pipeline/simulate.hpp>
 #include <tencer/pipeline/symmetry.hpp>
 #include <tencer/sensitivity/distance.hpp>
 #include <utility>
@@ -167,6 +169,23 @@ Design first_answer(const Task& task, const Outcome& outcome) {
   return best;
 }
 
+// Rods of more vertices may rest elsewhere: then the pose is that of the chords and not of the
+// rods.
+void warn_of_few_vertices(const Design& design, const RunOptions& options) {
+  constexpr int times = 4;
+  if (!options.log) return;
+  const auto refined = simulate(design, {.refine = times, .solve = {.stop = options.stop}});
+  if (!refined || !refined->usable() || refined->moved_percent <= design.goal->max_error_percent)
+    return;
+  std::ostringstream text;
+  text.precision(3);
+  text << "the curves have few vertices for this design: with four times as many it comes to rest "
+       << refined->moved_percent
+       << " % of the target's size away; design with more of them, such as "
+       << "--resolution 2";
+  say(options, core::Level::warning, text.str());
+}
+
 }  // namespace
 
 model::Goal goal_of(const model::DesignSettings& settings) {
@@ -197,7 +216,11 @@ core::Expected<Design> design(const model::Scene& scene, const RunOptions& optio
   const auto task = begin(scene, options);
   if (!task) return task.error();
   const Outcome outcome = run_method(*task, false, options);
-  if (!outcome.interrupted) return first_answer(*task, outcome);
+  if (!outcome.interrupted) {
+    Design answer = first_answer(*task, outcome);
+    warn_of_few_vertices(answer, options);
+    return answer;
+  }
   Design best = recorded(*task, outcome.networks[outcome.asked]);
   best.trace = outcome.trace;
   best.status = model::DesignStatus::interrupted;

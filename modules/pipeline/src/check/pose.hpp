@@ -3,6 +3,7 @@
 
 #include <tencer/model/check.hpp>
 #include <tencer/model/design.hpp>
+#include <tencer/model/material.hpp>
 #include <tencer/model/scaling.hpp>
 #include <tencer/model/state.hpp>
 #include <tencer/model/target.hpp>
@@ -20,6 +21,12 @@ struct RestPose {
 };
 
 RestPose rest_pose(const model::Design& design);
+
+// What rod r is made of: glass fibre where the design does not say it.
+inline const model::Material& material_of(const model::Design& design, std::size_t r) {
+  const auto& materials = design.structure.materials;
+  return materials.empty() ? model::glass_fibre() : materials[r];
+}
 
 // Per rod, of the scaled structure: kg/m in its force times second^2 per length^2.
 Eigen::VectorXd mass_per_length(const RestPose& pose);

@@ -21,10 +21,11 @@ double area_of(const der::Section& section) {
 Eigen::VectorXd mass_per_length(const RestPose& pose) {
   const double metre = model::metres(pose.design.length_unit);
   const double newton = model::newtons(pose.design.force_unit) * pose.scaling.scale.force();
-  const double density = *model::glass_fibre().density;
   const auto& rods = pose.design.structure.rods;
   Eigen::VectorXd mass(static_cast<Eigen::Index>(rods.size()));
   for (std::size_t r = 0; r < rods.size(); ++r) {
+    const double density =
+        material_of(pose.design, r).density.value_or(*model::glass_fibre().density);
     const double kilograms_per_metre = density * area_of(rods[r].section) * metre * metre;
     // kg / m = N s^2 / m^2.
     const double length = metre * pose.scaling.scale.length;
