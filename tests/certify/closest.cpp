@@ -1,5 +1,6 @@
 // Least distances where they are plain.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <tencer/certify/closest.hpp>
 
 #include "fixtures/bow.hpp"
@@ -35,6 +36,22 @@ TEST_CASE("two crossed rods are as far apart as their lines, less their radii") 
   CHECK(found.rods->s_b == Approx(0.5));
   CHECK_FALSE(found.cables);
   CHECK_FALSE(found.marks);
+}
+
+TEST_CASE("a cable that passes a rod is as far from it as the lines, less the rod's radius") {
+  auto held = crossed();
+  held.structure.anchors.resize(3, 1);
+  held.structure.anchors.col(0) = Eigen::Vector3d(0.7, 0.2, -0.05);
+  // From the end of the upper rod, over the lower one, which is along x.
+  held.structure.cables = {{.a = springs::AtAnchor{0}, .b = springs::OnRod{1, 0.0}}};
+  const auto found = certify::closest(held.structure, held.state);
+  REQUIRE(found.cable_rod);
+  const Eigen::Vector3d along = Eigen::Vector3d(0.32, -0.5, 0.1) - held.structure.anchors.col(0);
+  const Eigen::Vector3d across = along.cross(Eigen::Vector3d::UnitX()).normalized();
+  const double lines = std::abs(across.dot(held.structure.anchors.col(0)));
+  CHECK(found.cable_rod->distance == Approx(lines - 1e-4));
+  CHECK(found.cable_rod->cable == 0);
+  CHECK(found.cable_rod->rod == 0);
 }
 
 TEST_CASE("cables that pass each other, and where they are tied") {

@@ -33,6 +33,7 @@ Check fine() {
                  .breaking_load = 0.5,
                  .sag = 0.3};
   check.clear = {.rods = LeastDistance{2, "rod 0 at 1 cm and rod 0 at 9 cm"},
+                 .cable_rod = LeastDistance{0.3, "cable 1 and rod 0 at 4 cm"},
                  .cables = LeastDistance{0.05, "cable 1 and cable 2"}};
   check.converged = {.refinements = {{.times = 2, .moved = 0.01}}, .converged = true};
   return check;
@@ -52,8 +53,8 @@ TEST_CASE("what is fine is told in mm, N and per cent, and nothing fails") {
         "20 of 20 pushes by 10 mm (1 of them where strands may have passed",
         "largest strain 0.5 % (rod 1 at 20 mm; glass fibre bears 1 %)",
         "largest tension 50 N (cable 4), 10 % of the breaking load 500 N",
-        "rod to rod 20 mm (rod 0 at 1 cm and rod 0 at 9 cm), cable to cable 0.5 mm (cable 1 and "
-        "cable 2), between marks none near",
+        "rod to rod 20 mm (rod 0 at 1 cm and rod 0 at 9 cm), cable to rod 3 mm (cable 1 and "
+        "rod 0 at 4 cm), cable to cable 0.5 mm (cable 1 and cable 2), between marks none near",
         "sags by 3 mm under its own weight", "2 edges for each: moves by 0.1 mm"})
     CHECK_THAT(text, Contains(part));
   CHECK_THAT(text, !Contains("fails"));
@@ -93,6 +94,8 @@ TEST_CASE("each section fails for its own reason") {
         "holds: cable 4 pulls with 600 N and breaks at 500 N");
   CHECK(fails([](Check& check) { check.clear->rods->distance = -0.01; }) ==
         "clear: rod 0 at 1 cm and rod 0 at 9 cm overlap by 0.1 mm");
+  CHECK(fails([](Check& check) { check.clear->cable_rod->distance = -0.01; }) ==
+        "clear: cable 1 and rod 0 at 4 cm overlap by 0.1 mm");
   CHECK(fails([](Check& check) { check.converged->converged = false; }) ==
         "converged: with 2 edges for each the pose still moves by 0.1 mm");
 }

@@ -2,24 +2,12 @@
 #include <cmath>
 #include <tencer/certify/closest.hpp>
 #include <tencer/geometry/measure.hpp>
+#include <tencer/model/clearance.hpp>
 
 namespace tencer::certify {
 namespace {
 
 using Eigen::Vector3d;
-
-// How far each rod's surface is from its line at most; without a shape that of a solid circle with
-// the same stiffnesses.
-std::vector<double> outer_radii(const model::Structure& structure) {
-  std::vector<double> radii;
-  for (const auto& rod : structure.rods) {
-    const der::Section& section = rod.section;
-    const auto half = der::half_sizes(section.shape);
-    radii.push_back(half ? std::max(half->along_m1, half->along_m2)
-                         : 2 * std::sqrt(std::max(section.EI1, section.EI2) / section.EA));
-  }
-  return radii;
-}
 
 // Keeps the nearer one.
 template <class Apart>
@@ -68,6 +56,24 @@ std::optional<RodsApart> closest_rods(const model::Structure& structure, const m
       }
       keep(nearest,
            {found.distance - radii[one.rod] - radii[other.rod], one.rod, s_a, other.rod, s_b});
+    }
+  return nearest;
+}
+
+std::optional<CableRodApart> closest_cable_rod(const model::Structure& structure,
+                                               const model::State& state,
+                                               const std::vector<double>& radii) {
+  const model::CablePasses passes(structure, state);
+  const auto along = model::arc_lengths(structure);
+  std::optional<CableRodApart> nearest;
+  for (int c = 0; c < static_cast<int>(structure.cables.size()); ++c)
+    for (const model::CablePass& pass : passes.of(structure.cables[c], c)) {
+      const double distance = pass.distance - radii[pass.rod];
+      // Where it has just left its rod it is near it, which is no fault unless it is within.
+      if (pass.beside_end >= 0 && distance > 0) continue;
+      keep(nearest,
+           {distance, c, pass.rod,
+            along[pass.rod].knots()[pass.edge] + pass.t * along[pass.rod].edge_length(pass.edge)});
     }
   return nearest;
 }
@@ -144,8 +150,9 @@ std::optional<MarksApart> closest_marks(const model::Structure& structure) {
 }  // namespace
 
 Closest closest(const model::Structure& structure, const model::State& state) {
-  const std::vector<double> radii = outer_radii(structure);
+  const std::vector<double> radii = model::outer_radii(structure);
   return {.rods = closest_rods(structure, state, radii),
+          .cable_rod = closest_cable_rod(structure, state, radii),
           .cables = closest_cables(structure, state, radii),
           .marks = closest_marks(structure)};
 }

@@ -16,34 +16,73 @@ std::vector<springs::Parameter> all_parameters(const std::vector<springs::Cable>
   return parameters;
 }
 
+// A pose and what is built wrong.
+struct Built {
+  const model::Structure& structure;
+  const model::State& state;
+  const Eigen::VectorXd& tensions;
+  const model::Target& pose;
+  const std::vector<springs::Parameter>& parameters;
+  const Eigen::VectorXd& errors;  // per parameter
+
+  model::Structure with(double part) const {
+    constexpr double least_length = 1e-6;
+    const Eigen::VectorXd exact = sensitivity::values(structure.cables, parameters);
+    Eigen::VectorXd values = exact + part * errors;
+    for (Eigen::Index p = 0; p < values.size(); ++p)
+      if (parameters[p].kind == springs::ParameterKind::rest_length)
+        values[p] = std::max(values[p], least_length * exact[p]);
+    model::Structure result = structure;
+    result.cables = sensitivity::with_values(std::move(result.cables), parameters, values);
+    return result;
+  }
+};
+
+// In equal stages from no errors to all. Within a stage the places where cables are tied jump, and
+// the forces that then lack fade.
+Draw follow(const Built& built, int stages, const std::stop_token& stop) {
+  model::State state = built.state;
+  Eigen::VectorXd tensions = built.tensions;
+  Draw draw;
+  for (int k = 0; k < stages && draw.rests && draw.followed && !draw.falls_at; ++k) {
+    auto found = equilibrium::settle_along(built.with((k + 1.0) / stages), std::move(state),
+                                           tensions, {.solve = {.stop = stop}});
+    draw.rests = found.rest.equilibrium.usable();
+    draw.followed = found.held;
+    if (found.fold_at) draw.falls_at = (k + *found.fold_at) / stages;
+    state = std::move(found.rest.equilibrium.state);
+    tensions = found.rest.tensions.cwiseMax(0);
+  }
+  draw.deviation = sensitivity::deviation(built.pose, state).max;
+  return draw;
+}
+
+// All at once, or in so many stages that a jump of the places is not taken for a fall.
+Draw settle(const Built& built, bool places_move, const std::stop_token& stop) {
+  Draw draw = follow(built, 1, stop);
+  for (const int stages : {4, 16})
+    if (places_move && (!draw.rests || !draw.followed || draw.falls_at))
+      draw = follow(built, stages, stop);
+  return draw;
+}
+
 }  // namespace
 
 std::vector<Draw> settle_draws(const model::Structure& structure, const model::State& state,
                                const Eigen::VectorXd& tensions, const CableErrors& errors,
                                int draws, std::uint64_t seed, const std::stop_token& stop) {
-  constexpr double least_length = 1e-6;
   const auto parameters = all_parameters(structure.cables);
   const Eigen::MatrixXd units = unit_draws(static_cast<int>(parameters.size()), draws, seed);
-  const Eigen::VectorXd exact = sensitivity::values(structure.cables, parameters);
-  std::vector<Eigen::Matrix3Xd> pose;
-  for (const auto& rod : state) pose.push_back(rod.x);
-  const model::Target target = model::make_target(structure, std::move(pose));
+  Eigen::VectorXd limits(units.rows());
+  for (Eigen::Index p = 0; p < limits.size(); ++p) limits[p] = limit_of(errors, parameters[p]);
+  std::vector<Eigen::Matrix3Xd> points;
+  for (const auto& rod : state) points.push_back(rod.x);
+  const model::Target pose = model::make_target(structure, std::move(points));
   std::vector<Draw> result;
   for (int draw = 0; draw < draws && !stop.stop_requested(); ++draw) {
-    Eigen::VectorXd values = exact;
-    for (Eigen::Index p = 0; p < values.size(); ++p) {
-      values[p] += limit_of(errors, parameters[p]) * units(p, draw);
-      if (parameters[p].kind == springs::ParameterKind::rest_length)
-        values[p] = std::max(values[p], least_length * exact[p]);
-    }
-    model::Structure built = structure;
-    built.cables = sensitivity::with_values(std::move(built.cables), parameters, values);
-    const auto found = equilibrium::settle_along(built, state, tensions, {.solve = {.stop = stop}});
-    Draw& one = result.emplace_back();
-    one.rests = found.rest.equilibrium.usable();
-    one.deviation = sensitivity::deviation(target, found.rest.equilibrium.state).max;
-    one.followed = found.held;
-    one.falls_at = found.fold_at;
+    const Eigen::VectorXd wrong = limits.cwiseProduct(units.col(draw));
+    result.push_back(
+        settle({structure, state, tensions, pose, parameters, wrong}, errors.attachment > 0, stop));
   }
   return result;
 }

@@ -77,6 +77,7 @@ Json to_json(const Clear& clear) {
     if (least) result[key] = {{"distance", least->distance}, {"where", least->where}};
   };
   add("rods", clear.rods);
+  add("cable_rod", clear.cable_rod);
   add("cables", clear.cables);
   add("marks", clear.marks);
   return result;

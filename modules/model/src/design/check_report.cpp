@@ -86,8 +86,9 @@ void add_shortfalls(const Holds& holds, const Words& words, Reasons& reasons) {
 }
 
 void add_shortfalls(const Clear& clear, const Words& words, Reasons& reasons) {
-  if (const auto& rods = clear.rods; rods && rods->distance <= 0)
-    reasons.push_back("clear: " + rods->where + " overlap by " + words.mm(-rods->distance));
+  for (const auto& least : {clear.rods, clear.cable_rod})
+    if (least && least->distance <= 0)
+      reasons.push_back("clear: " + least->where + " overlap by " + words.mm(-least->distance));
 }
 
 void add_shortfalls(const Converged& converged, const Words& words, Reasons& reasons) {
@@ -187,6 +188,7 @@ std::string line(const Clear& clear, const Words& words) {
     separator = ", ";
   };
   add("rod to rod", clear.rods);
+  add("cable to rod", clear.cable_rod);
   add("cable to cable", clear.cables);
   add("between marks", clear.marks);
   return text;

@@ -27,6 +27,9 @@ model::Clear clear(const RestPose& pose) {
     result.rods = {.distance = rods->distance * unit,
                    .where = place(pose, rods->rod_a, rods->s_a) + " and " +
                             place(pose, rods->rod_b, rods->s_b)};
+  if (const auto& pass = found.cable_rod)
+    result.cable_rod = {.distance = pass->distance * unit,
+                        .where = cable(pass->cable) + " and " + place(pose, pass->rod, pass->s)};
   if (const auto& cables = found.cables)
     result.cables = {.distance = cables->distance * unit,
                      .where = cable(cables->cable_a) + " and " + cable(cables->cable_b)};

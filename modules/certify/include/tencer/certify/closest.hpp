@@ -18,6 +18,14 @@ struct RodsApart {
   double s_b = 0.0;
 };
 
+// A cable and a rod, away from the cable's own ends (model/clearance.hpp).
+struct CableRodApart {
+  double distance = 0.0;
+  int cable = 0;
+  int rod = 0;
+  double s = 0.0;
+};
+
 // Two cables that do not meet at a rod or anchor: their ends are six radii apart.
 struct CablesApart {
   double distance = 0.0;
@@ -36,6 +44,7 @@ struct MarksApart {
 // Not set: there is no such pair.
 struct Closest {
   std::optional<RodsApart> rods{};
+  std::optional<CableRodApart> cable_rod{};
   std::optional<CablesApart> cables{};
   std::optional<MarksApart> marks{};
 };

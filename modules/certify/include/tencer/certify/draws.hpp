@@ -11,8 +11,10 @@ namespace tencer::certify {
 
 // One structure built with errors.
 struct Draw {
-  double deviation = 0.0;  // largest distance of a vertex from the pose, aligned as there
-  bool rests = true;       // false: it was not found where it comes to rest
+  // Largest distance of a vertex from the pose, aligned as there, where it comes to rest with its
+  // errors, or when it falls.
+  double deviation = 0.0;
+  bool rests = true;  // false: it was not found where it comes to rest
   // Its path could be followed, from the pose or to where it turns; false: it was relaxed at once.
   bool followed = true;
   // The part of the way from no errors to these at which the path of its poses turns, so that it

@@ -87,9 +87,10 @@ struct LeastDistance {
 };
 // Not set: there is no such pair.
 struct Clear {
-  std::optional<LeastDistance> rods = std::nullopt;    // between strands
-  std::optional<LeastDistance> cables = std::nullopt;  // that do not meet
-  std::optional<LeastDistance> marks = std::nullopt;   // of two cables, along a rod
+  std::optional<LeastDistance> rods = std::nullopt;       // between strands
+  std::optional<LeastDistance> cable_rod = std::nullopt;  // away from the cable's own ends
+  std::optional<LeastDistance> cables = std::nullopt;     // that do not meet
+  std::optional<LeastDistance> marks = std::nullopt;      // of two cables, along a rod
 };
 
 // How the pose changes with the number of vertices: every edge divided into 2, 4, 8.
