@@ -10,11 +10,14 @@ using namespace model;
 using Json = nlohmann::ordered_json;
 
 Json to_json(const Stands& stands) {
-  return {
-      {"certified", stands.certified},       {"moved", stands.moved},
-      {"residual", stands.residual},         {"smallest_eigenvalue", stands.smallest_eigenvalue},
-      {"slack_cables", stands.slack_cables}, {"hertz", stands.hertz},
-      {"free_groups", stands.free_groups}};
+  return {{"rests", stands.rests},
+          {"certified", stands.certified},
+          {"moved", stands.moved},
+          {"residual", stands.residual},
+          {"smallest_eigenvalue", stands.smallest_eigenvalue},
+          {"slack_cables", stands.slack_cables},
+          {"hertz", stands.hertz},
+          {"free_groups", stands.free_groups}};
 }
 
 Json cable_or_none(int cable) { return cable < 0 ? Json(nullptr) : Json(cable); }

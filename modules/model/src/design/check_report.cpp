@@ -40,7 +40,8 @@ void add_if(bool fails, const std::string& reason, Reasons& reasons) {
 void add_shortfalls(const Stands& stands, const Words& words, Reasons& reasons) {
   add_if(stands.moved > stands.allowed,
          "stands: it comes to rest " + words.mm(stands.moved) + " from the file's pose", reasons);
-  add_if(!stands.certified, "stands: it does not stand in this pose", reasons);
+  add_if(!stands.rests, "stands: it was not found to come to rest", reasons);
+  add_if(stands.rests && !stands.certified, "stands: it does not stand in this pose", reasons);
   for (const std::string& group : stands.free_groups)
     reasons.push_back("stands: " + group + " at no cost");
 }
@@ -77,7 +78,7 @@ void add_shortfalls(const Holds& holds, const Words& words, Reasons& reasons) {
   add_if(holds.rod >= 0 && holds.strain > holds.strain_limit,
          "holds: rod " + std::to_string(holds.rod) + " is strained by " +
              Words::percent(holds.strain) + ", " + holds.material + " bears " +
-             Words::percent(holds.strain_limit),
+             Words::percent(holds.strain_limit) + " for long",
          reasons);
   add_if(holds.cable >= 0 && holds.tension > holds.breaking_load,
          "holds: cable " + std::to_string(holds.cable) + " pulls with " +
@@ -162,7 +163,7 @@ std::string line(const Holds& holds, const Words& words) {
   if (holds.rod >= 0)
     text += "largest strain " + Words::percent(holds.strain) + " (rod " +
             std::to_string(holds.rod) + " at " + words.mm(holds.s) + "; " + holds.material +
-            " bears " + Words::percent(holds.strain_limit) + ")";
+            " bears " + Words::percent(holds.strain_limit) + " for long)";
   else
     text += "strain not known, for the file gives no shape of sections";
   if (holds.cable >= 0)

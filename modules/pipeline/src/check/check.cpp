@@ -49,6 +49,7 @@ core::Expected<Checked> check(const model::Design& design, const CheckOptions& o
   const RestPose pose = rest_pose(rest->design);
   model::Check& found = result.check;
   found.stands = stands(pose, rest->moved_percent / 100 * size_of(design));
+  found.stands->rests = rest->usable();
   if (!rest->usable()) return result;
   found.forgives = forgives(pose, options);
   // What moves at no cost stays where it is pushed.

@@ -9,6 +9,7 @@
 namespace tencer::model {
 
 struct Stands {
+  bool rests = false;    // false: no rest was found, and what follows is of the last try
   double moved = 0.0;    // a vertex, from the file's pose to where it comes to rest: a length
   double allowed = 0.0;  // motion at which that is another pose
   double residual = 0.0;
