@@ -100,7 +100,7 @@ TEST_CASE("A rod's seam is no end of it") {
 }
 
 TEST_CASE("The bend that a chain of vertices cuts off counts") {
-  constexpr int n = 12;
+  constexpr int n = 13;  // the middle of an edge is on top
   Eigen::Matrix3Xd x(3, n + 1);
   for (int i = 0; i <= n; ++i) {
     const double angle = std::numbers::pi * i / n;
@@ -108,14 +108,18 @@ TEST_CASE("The bend that a chain of vertices cuts off counts") {
   }
   model::Structure structure;
   structure.rods = {straight_rod(n, 2 * n * std::sin(std::numbers::pi / n / 2))};
-  structure.anchors = Eigen::Matrix3Xd(3, 2);
-  structure.anchors << -5, 5, 1.5, 1.5, 0, 0;
+  structure.anchors = Eigen::Matrix3Xd(3, 4);
+  structure.anchors << -5, 5, 0, 0, 1.5, 1.5, 0, 0.5, 0, 0, 0, 0;
   const model::State state = make_state(structure, {x});
-  const auto found = model::CablePasses(structure, state)
-                         .of({.a = springs::AtAnchor{0}, .b = springs::AtAnchor{1}});
-  REQUIRE(found.size() == 1);
+  const model::CablePasses passes(structure, state);
   const double sagitta = 1 - std::cos(std::numbers::pi / n / 2);
-  CHECK(found[0].distance == Approx(0.5 - sagitta).margin(0.02 * sagitta));
+  // Both are 0.5 from the circle: one is nearer than to the chain, one further away.
+  const auto outside = passes.of({.a = springs::AtAnchor{0}, .b = springs::AtAnchor{1}});
+  REQUIRE(outside.size() == 1);
+  CHECK(outside[0].distance == Approx(0.5).margin(0.02 * sagitta));
+  const auto inside = passes.of({.a = springs::AtAnchor{2}, .b = springs::AtAnchor{3}});
+  REQUIRE(inside.size() == 1);
+  CHECK(inside[0].distance == Approx(0.5).margin(0.02 * sagitta));
 }
 
 TEST_CASE("Gaps are not negative") {

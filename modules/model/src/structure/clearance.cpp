@@ -7,21 +7,18 @@
 namespace tencer::model {
 namespace {
 
-// An arc of constant curvature is h^2 kappa / 8 = h turn / 8 away from its chord h.
-Eigen::VectorXd cut_off(const Eigen::Matrix3Xd& x, int edges) {
+// From the middle of each edge to that of the arc of constant curvature which it cuts off, h turn /
+// 8 away from its chord h.
+Eigen::Matrix3Xd bulges(const Eigen::Matrix3Xd& x, int edges) {
   const auto edge = [&](int e) -> Eigen::Vector3d { return x.col((e + 1) % x.cols()) - x.col(e); };
   const bool closed = edges == x.cols();
-  Eigen::VectorXd turns = Eigen::VectorXd::Zero(edges);  // at the start of each edge
-  for (int e = closed ? 0 : 1; e < edges; ++e) {
-    const Eigen::Vector3d before = edge((e + edges - 1) % edges);
-    const Eigen::Vector3d after = edge(e);
-    turns[e] = std::atan2(before.cross(after).norm(), before.dot(after));
-  }
-  Eigen::VectorXd result(edges);
-  for (int e = 0; e < edges; ++e) {
-    const double end = closed || e + 1 < edges ? turns[(e + 1) % edges] : 0.0;
-    result[e] = edge(e).norm() * std::max(turns[e], end) / 8;
-  }
+  Eigen::Matrix3Xd turns = Eigen::Matrix3Xd::Zero(3, edges + 1);  // outwards, at each vertex
+  for (int v = closed ? 0 : 1; v < edges; ++v)
+    turns.col(v) = edge((v + edges - 1) % edges).normalized() - edge(v).normalized();
+  if (closed) turns.col(edges) = turns.col(0);
+  Eigen::Matrix3Xd result(3, edges);
+  for (int e = 0; e < edges; ++e)
+    result.col(e) = edge(e).norm() / 16 * (turns.col(e) + turns.col(e + 1));
   return result;
 }
 
@@ -47,7 +44,7 @@ CablePasses::CablePasses(const Structure& structure, const State& state, const G
       along_(arc_lengths(structure)) {
   gaps.validate();
   for (int rod = 0; rod < static_cast<int>(structure.rods.size()); ++rod) {
-    cut_off_.push_back(cut_off(state[rod].x, structure.rods[rod].edges()));
+    bulges_.push_back(bulges(state[rod].x, structure.rods[rod].edges()));
     add_balls(rod);
   }
 }
@@ -59,6 +56,7 @@ void CablePasses::add_balls(int rod) {
     Ball ball{.rod = rod, .first = first, .end = std::min(first + edges_of_ball, edges)};
     for (int v = ball.first; v <= ball.end; ++v) ball.centre += vertex(rod, v);
     ball.centre /= ball.end - ball.first + 1;
+    ball.bulge = bulges_[rod].middleCols(first, ball.end - first).colwise().norm().maxCoeff();
     for (int v = ball.first; v <= ball.end; ++v)
       ball.radius = std::max(ball.radius, (vertex(rod, v) - ball.centre).norm());
     balls_.push_back(ball);
@@ -128,10 +126,8 @@ std::vector<CablePass> CablePasses::of(const springs::Cable& cable, int number,
   } last;             // of the run of edges that the last pass is in
   for (const Ball& ball : balls_) {
     const double near = times * gaps_.from_axis(radii_[ball.rod]);
-    const Eigen::VectorXd& cut_off = cut_off_[ball.rod];
     const double least = geometry::segment_approach(a, b, ball.centre, ball.centre).distance -
-                         ball.radius -
-                         cut_off.segment(ball.first, ball.end - ball.first).maxCoeff();
+                         ball.radius - ball.bulge;
     if (least >= near) continue;
     for (int edge = ball.first; edge < ball.end; ++edge) {
       const Eigen::Vector3d start = vertex(ball.rod, edge);
@@ -139,16 +135,17 @@ std::vector<CablePass> CablePasses::of(const springs::Cable& cable, int number,
       for (const Part& part : parts_of(ball.rod, edge, cable)) {
         const auto found =
             geometry::segment_approach(a, b, start + part.from * along, start + part.to * along);
-        if (found.distance - cut_off[edge] >= near) continue;
         const double t = part.from + found.t_b * (part.to - part.from);
         CablePass pass{.cable = number,
                        .rod = ball.rod,
                        .edge = edge,
                        .t = t,
                        .u = found.t_a,
-                       .distance = found.distance - cut_off[edge]};
+                       .distance = found.distance};
         const Eigen::Vector3d gap = a + pass.u * (b - a) - start - t * along;
         pass.away = (found.distance > 0 ? gap : Eigen::Vector3d(along.cross(b - a))).normalized();
+        pass.distance -= pass.away.dot(bulges_[ball.rod].col(edge));
+        if (pass.distance >= near) continue;
         if (t == part.from) pass.beside_end = part.from_end;
         if (t == part.to) pass.beside_end = part.to_end;
         const bool goes_on = last.rod == ball.rod && last.at == edge + part.from;

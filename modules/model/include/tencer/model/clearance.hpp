@@ -20,7 +20,7 @@ struct CablePass {
   int edge = 0;           // of the rod
   double t = 0.0;         // in [0, 1] along the edge
   double u = 0.0;         // in [0, 1] from the cable's end a to its end b
-  double distance = 0.0;  // between the lines, less what the chain of vertices cuts off a bend
+  double distance = 0.0;  // from the cable to the bend that the chain of vertices stands for
   Eigen::Vector3d away = Eigen::Vector3d::Zero();  // from rod to cable, of length 1
   // The cable's own end (0 for a, 1 for b) whose neighbourhood on the rod ends here; -1: none does.
   int beside_end = -1;
@@ -54,6 +54,7 @@ class CablePasses {
     int end = 0;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     double radius = 0.0;
+    double bulge = 0.0;  // how far a bend is beyond it at most
   };
   // A part of an edge, from t = from to t = to; what of the cable's own ends bounds it.
   struct Part {
@@ -74,7 +75,7 @@ class CablePasses {
   Gaps gaps_;
   std::vector<double> radii_;
   std::vector<geometry::ArcLength> along_;
-  std::vector<Eigen::VectorXd> cut_off_;  // per rod, per edge: how far the bend is from the chord
+  std::vector<Eigen::Matrix3Xd> bulges_;  // per rod, per edge: from the chord to the bend
   std::vector<Ball> balls_;
 };
 
