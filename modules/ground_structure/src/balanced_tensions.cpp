@@ -40,7 +40,7 @@ class Balance {
         solution_(bare.size()),
         columns_(orbits.size()) {
     for (double& entry : positions_) entry = entry > 0 ? 1.0 : 0.0;
-    goal_ = displacement(-bare.rod_gradient(state));
+    goal_ = displacement(-bare.gradient(state));
   }
 
   const Eigen::VectorXd& goal() const { return goal_; }
@@ -123,7 +123,7 @@ std::optional<Displacements> displacements(const equilibrium::System& bare,
   for (Eigen::Index c = 0; c + 1 < forces.cols(); ++c)
     for (const CandidateColumn& column : orbits[c])
       for_each_unknown(bare, column, [&](int i, double weight) { forces(i, c) += weight; });
-  forces.rightCols<1>() = -bare.rod_gradient(state);
+  forces.rightCols<1>() = -bare.gradient(state);
   Eigen::MatrixXd moved = factor->solve(forces);
   const Eigen::VectorXd mass = equilibrium::lumped_mass(bare);
   for (Eigen::Index i = 0; i < moved.rows(); ++i)

@@ -96,27 +96,28 @@ class Collector {
     return std::nullopt;
   }
 
-  // Leaves out the cables that rods are in the way of.
-  void keep_clear() {
-    if (!rules_.gaps) return;
-    const model::State state = make_state(structure_, positions_);
-    const model::CablePasses passes(structure_, state, *rules_.gaps);
-    const auto count =
-        std::erase_if(cables_, [&](const springs::Cable& cable) { return !passes.clear(cable); });
-    any_in_the_way_ = count > 0;
-  }
-
+  // An error when there are none by the other rules.
   core::Expected<std::vector<springs::Cable>> take() {
-    if (!cables_.empty()) return std::move(cables_);
+    if (!cables_.empty()) {
+      keep_clear();
+      return std::move(cables_);
+    }
     std::string why =
         "the pairs of rods leave none; allow cables between more rods, within a rod, or to anchors";
     if (any_pair_) why = "every one would be longer than the longest cable allowed";
-    if (any_in_the_way_) why = "rods are in the way of every one; allow less clearance";
     if (nodes_.empty()) why = "the forbidden arcs cover every vertex";
     return core::Error{.where = {}, .message = "no cables are allowed: " + why};
   }
 
  private:
+  // Leaves out the cables that rods are in the way of.
+  void keep_clear() {
+    if (!rules_.gaps) return;
+    const model::State state = make_state(structure_, positions_);
+    const model::CablePasses passes(structure_, state, *rules_.gaps);
+    std::erase_if(cables_, [&](const springs::Cable& cable) { return !passes.clear(cable); });
+  }
+
   // false: it has no length.
   bool add(const springs::Cable& cable, double length) {
     any_pair_ = true;
@@ -137,7 +138,6 @@ class Collector {
   double touching_ = std::numeric_limits<double>::infinity();
   std::vector<springs::Cable> cables_;
   bool any_pair_ = false;
-  bool any_in_the_way_ = false;
 };
 
 }  // namespace
@@ -155,7 +155,6 @@ core::Expected<std::vector<springs::Cable>> candidates(
   if (auto error = collector.add_between_rods()) return *error;
   if (rules.external)
     if (auto error = collector.add_to_anchors()) return *error;
-  collector.keep_clear();
   return collector.take();
 }
 

@@ -6,6 +6,7 @@
 #include <tencer/equilibrium/modal.hpp>
 #include <tencer/ground_structure/balanced_tensions.hpp>
 #include <tencer/ground_structure/force_balance.hpp>
+#include <tencer/network/rest_length.hpp>
 #include <tencer/network/stage_recorder.hpp>
 #include <tencer/sensitivity/distance.hpp>
 #include <tencer/symmetry/tie.hpp>
@@ -29,6 +30,48 @@ const CandidateOrbit* shortest_joining(const model::Structure& structure,
     if (joins && (!shortest || orbit.front().length < shortest->front().length)) shortest = &orbit;
   }
   return shortest;
+}
+
+// Candidates between components of rods, at most `count`, the shortest first, then each as far from
+// the others as can be: both ends count.
+std::vector<const CandidateOrbit*> spread_joining(const model::Structure& structure,
+                                                  const model::State& state,
+                                                  const std::vector<CandidateOrbit>& orbits,
+                                                  int count) {
+  const auto components = model::components(structure);
+  const auto ends = [&](const CandidateOrbit& orbit) {
+    Eigen::Matrix<double, 6, 1> both = Eigen::Matrix<double, 6, 1>::Zero();
+    const springs::Stencil& stencil = orbit.front().stencil;
+    for (int i = 0; i < stencil.count; ++i) {
+      const springs::Share& share = stencil.shares[i];
+      // Vertices of end a have negative weights.
+      both.segment<3>(share.weight < 0 ? 0 : 3) +=
+          std::abs(share.weight) * state[share.rod].x.col(share.vertex);
+    }
+    return both;
+  };
+  std::vector<const CandidateOrbit*> joining;
+  for (const CandidateOrbit& orbit : orbits) {
+    const springs::Cable& cable = orbit.front().cable;
+    const auto* a = std::get_if<springs::OnRod>(&cable.a);
+    const auto* b = std::get_if<springs::OnRod>(&cable.b);
+    if (a && b && components[a->rod] != components[b->rod]) joining.push_back(&orbit);
+  }
+  std::vector<const CandidateOrbit*> chosen;
+  const CandidateOrbit* next = shortest_joining(structure, orbits);
+  Eigen::VectorXd nearest = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(joining.size()),
+                                                      std::numeric_limits<double>::infinity());
+  while (next && static_cast<int>(chosen.size()) < count) {
+    chosen.push_back(next);
+    const auto at = ends(*next);
+    for (std::size_t i = 0; i < joining.size(); ++i) {
+      double& distance = nearest[static_cast<Eigen::Index>(i)];
+      distance = std::min(distance, (ends(*joining[i]) - at).norm());
+    }
+    Eigen::Index furthest = 0;
+    next = nearest.maxCoeff(&furthest) > 0 ? joining[static_cast<std::size_t>(furthest)] : nullptr;
+  }
+  return chosen;
 }
 
 // The candidate that a motion stretches most, null when it stretches none.
@@ -107,12 +150,43 @@ class Run {
     double percent = std::numeric_limits<double>::infinity();  // distance of the equilibrium found
   };
 
-  // The network that balances the forces to `accuracy` (a length), settled by the treatment of
-  // slack cables that ends closest to the target.
+  // The network that balances the forces to `accuracy` (a length). Rods that rest without cables
+  // between them may leave groups untied: then they are tied with some tension before the balance,
+  // which then holds against it.
   Balanced balance(double accuracy) {
-    Balanced best{.network = problem_.bare()};
-    const auto found = balanced_tensions(equilibrium::System(problem_.structure), problem_.start,
-                                         orbits_, accuracy);
+    Balanced best = balance_from(problem_.bare(), accuracy);
+    if (floating(best.network) <= 1) return best;
+    Balanced tied = balance_from(tied_rods(), accuracy);
+    return tied.pulling ? tied : best;
+  }
+
+  const network::SolveCounts& counts() const { return counts_; }
+
+ private:
+  // All rods tied to each other, each pair of components with as many cables as it takes to hold a
+  // body in space that can only be pulled at.
+  Network tied_rods() const {
+    constexpr int cables_of_tie = 7;
+    constexpr double tension = 1;  // EI / L^2
+    Network network = problem_.bare();
+    const auto rods = static_cast<int>(problem_.structure.rods.size());
+    for (int k = 1; k < rods; ++k) {
+      const auto joining = spread_joining(network.structure, network.state, orbits_, cables_of_tie);
+      for (const CandidateOrbit* orbit : joining)
+        for (auto& cable : cables_of(*orbit, tension, network::stiff_rest_ratio))
+          network.structure.cables.push_back(cable);
+      const auto components = model::components(network.structure);
+      if (*std::ranges::max_element(components) == 0) break;
+    }
+    return network;
+  }
+
+  // The network `base` with cables that balance its forces, settled by the treatment of slack
+  // cables that ends closest to the target.
+  Balanced balance_from(const Network& base, double accuracy) {
+    Balanced best{.network = base};
+    const auto found =
+        balanced_tensions(equilibrium::System(base.structure), problem_.start, orbits_, accuracy);
     if (!found) return best;
     if (found->set.empty()) {  // the rods may hold the target by themselves
       best.pulling = solve_pulling(best.network, Slack::tightened);
@@ -128,7 +202,7 @@ class Run {
     for (const auto& [rest_ratio, slack] :
          {Treatment{0.999, Slack::tightened}, Treatment{0.99, Slack::left_out},
           Treatment{0.999, Slack::left_out}}) {
-      Balanced next{.network = stabilised(*found, rest_ratio)};
+      Balanced next{.network = stabilised(base, *found, rest_ratio)};
       next.pulling = solve_pulling(next.network, slack);
       next.percent = percent_of(next.network);
       // A network with slack cables is better than none, for what is said of it.
@@ -140,17 +214,19 @@ class Run {
     return best;
   }
 
-  const network::SolveCounts& counts() const { return counts_; }
+  static int floating(const Network& network) {
+    const equilibrium::System system(network.structure);
+    return equilibrium::floating_components(equilibrium::rigid_modes(system, network.state));
+  }
 
- private:
   double percent_of(const Network& network) const {
     return sensitivity::deviation(problem_.target, network.state).max_percent;
   }
 
-  // The network of these tensions at the target, with cables added until it is stable there; one
-  // that stays unstable shows when it is solved for.
-  Network stabilised(const linalg::Nonnegative& tensions, double rest_ratio) const {
-    Network network = problem_.bare();
+  // `base` and the network of these tensions at the target, with cables added until it is stable
+  // there; one that stays unstable shows when it is solved for.
+  Network stabilised(Network network, const linalg::Nonnegative& tensions,
+                     double rest_ratio) const {
     const auto add = [&](const CandidateOrbit& orbit, double tension) {
       for (auto& cable : cables_of(orbit, tension, rest_ratio))
         network.structure.cables.push_back(cable);
