@@ -36,9 +36,11 @@ core::Expected<ExitCode> run_check(CheckRequest request) {
   request.options.stop = interrupt.token();
   const auto checked = pipeline::check(*given, request.options);
   if (!checked) return core::Error{request.input.string(), checked.error().text()};
-  if (!request.output.empty())
-    if (const auto error = write_design_files(request.output, checked->design, &checked->check))
-      return *error;
+  if (!request.output.empty()) {
+    model::Design design = checked->design;
+    design.check = checked->check;
+    if (const auto error = write_design_files(request.output, design)) return *error;
+  }
   const model::CheckUnits units{checked->design.length_unit, checked->design.force_unit};
   std::cout << (request.json ? io::check_text(checked->design, checked->check)
                              : model::report(checked->check, units));

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <tencer/io/file.hpp>
 #include <tencer/model/resolution.hpp>
+#include <tencer/model/units.hpp>
 #include <tencer/pipeline/design.hpp>
 #include <tencer/pipeline/omissions.hpp>
 #include <utility>
@@ -51,6 +52,8 @@ struct DesignRequest {
   std::optional<model::Measure> objective;
   std::optional<model::SymmetryUse> symmetry;
   std::optional<int> threads;
+  std::optional<double> length_error_mm;
+  std::optional<double> attachment_error_mm;
   double resolution = 1.0;
   bool trade_off = false;
   bool explain = false;
@@ -168,12 +171,20 @@ CLI::Validator known_material() {
           "MATERIAL"};
 }
 
+void apply_errors(const DesignRequest& request, model::Scene& scene) {
+  const double millimetre = 1e-3 / model::metres(scene.length_unit);
+  if (request.length_error_mm) scene.build.length_error = *request.length_error_mm * millimetre;
+  if (request.attachment_error_mm)
+    scene.build.attachment_error = *request.attachment_error_mm * millimetre;
+}
+
 core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Log& log) {
   auto scene = read_scene_or_curve(
       request.input,
       {.material = *model::find_material(request.material), .close = request.closed});
   if (!scene) return scene.error();
   if (const auto error = apply(request, scene->design)) return *error;
+  apply_errors(request, *scene);
   *scene = model::at_resolution(*scene, request.resolution);
   const std::filesystem::path folder =
       request.output.empty() ? std::filesystem::path(request.input.stem().string() + "-design")
@@ -245,6 +256,14 @@ void add_design(CLI::App& app, Command& chosen) {
                    "How many threads share the work; the design is the same [the scene's, else as "
                    "many as the machine has]")
       ->check(positive_integer());
+  command
+      ->add_option("--length-error", request->length_error_mm,
+                   "To how many mm cables are cut: the design forgives it [the scene's, else 1]")
+      ->check(not_negative_number());
+  command
+      ->add_option("--attachment-error", request->attachment_error_mm,
+                   "To how many mm they are tied along the rods, likewise [the scene's, else 2]")
+      ->check(not_negative_number());
   command
       ->add_option("--resolution", request->resolution,
                    "Vertices of every rod, times what the scene has")

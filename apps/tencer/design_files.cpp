@@ -18,12 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<io::NamedText> files_of(const model::Design& design,
-                                    const model::Check* check = nullptr) {
+std::vector<io::NamedText> files_of(const model::Design& design) {
   std::vector<geometry::Polyline> poses;
   for (std::size_t r = 0; r < design.pose.size(); ++r)
     poses.push_back(model::pose_curve(design, r));
-  return {{"design.json", check ? io::design_text(design, *check) : io::design_text(design)},
+  return {{"design.json", io::design_text(design)},
           {"trace.csv", io::trace_text(design.trace)},
           {"pose.obj", io::obj_text(poses)},
           {"view.html", view_page(design)},
@@ -82,10 +81,9 @@ class NewFolders {
 }  // namespace
 
 std::optional<core::Error> write_design_files(const std::filesystem::path& folder,
-                                              const model::Design& design,
-                                              const model::Check* check) {
+                                              const model::Design& design) {
   if (auto error = io::design_problem(folder / "design.json", design)) return error;
-  return io::write_files(folder, files_of(design, check));
+  return io::write_files(folder, files_of(design));
 }
 
 std::optional<core::Error> write_trade_off(const std::filesystem::path& folder,

@@ -6,16 +6,14 @@
 #include <span>
 #include <string>
 #include <tencer/core/error.hpp>
-#include <tencer/io/check.hpp>
 #include <tencer/io/design.hpp>
 
 namespace tencer::app {
 
 // design.json, trace.csv, pose.obj, view.html and picture.svg in `folder`, which is made when it is
-// not there: all of them or, on an Error, none. check: of the design, then in design.json too.
+// not there: all of them or, on an Error, none.
 std::optional<core::Error> write_design_files(const std::filesystem::path& folder,
-                                              const model::Design& design,
-                                              const model::Check* check = nullptr);
+                                              const model::Design& design);
 
 // In `folder` the files of the design asked for and trade-off.csv, one line a design, and in a
 // folder cables-N for each number N of cables the files of that design. The folders of designs come

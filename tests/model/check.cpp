@@ -82,13 +82,13 @@ TEST_CASE("each section fails for its own reason") {
         "stands: rod 0 moves freely at no cost");
   CHECK(fails([](Check& check) { check.forgives->percentile_95 = 2; }) ==
         "forgives: with cables cut to 1 mm and tied to 2 mm it is within 20 mm, not the 10 mm "
-        "allowed");
+        "allowed (2 times as large it would forgive them)");
   CHECK(fails([](Check& check) {
           check.forgives->fallen = 7;
           check.forgives->falls_at = 0.4;
         }) ==
         "forgives: 7 of 30 fall to another pose, the first with cables cut to 0.4 mm and tied to "
-        "0.8 mm");
+        "0.8 mm (2.5 times as large it would forgive them)");
   CHECK(fails([](Check& check) { check.comes_back->pushes[0].back = 19; }) ==
         "comes back: pushed by 10 mm it comes back 19 times of 20");
   CHECK(fails([](Check& check) { check.holds->strain = 0.02; }) ==

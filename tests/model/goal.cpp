@@ -33,11 +33,11 @@ TEST_CASE("with a number of cables the closest of those that have few enough is 
 TEST_CASE("what settles is preferred, with a number of cables up to twice the distance") {
   const Score near{8, 1.0, false};
   const Goal eight{.cables = 8};
-  CHECK(eight.prefers_settling({8, 2.0, true}, near));
-  CHECK_FALSE(eight.prefers_settling({8, 2.1, true}, near));
+  CHECK(eight.prefers_standing({8, 2.0, true}, near));
+  CHECK_FALSE(eight.prefers_standing({8, 2.1, true}, near));
   const Goal within{.max_error_percent = 1.0};
-  CHECK(within.prefers_settling({20, 0.9, true}, near));
-  CHECK_FALSE(within.prefers_settling({20, 1.1, true}, near));
+  CHECK(within.prefers_standing({20, 0.9, true}, near));
+  CHECK_FALSE(within.prefers_standing({20, 1.1, true}, near));
 }
 
 TEST_CASE("an answer improves on another by settling, then by fewer cables, then by 3 % at least") {

@@ -12,8 +12,8 @@ EliminationResult eliminate(const network::Network& network,
   network::StageRecorder recorder("eliminate", control);
   if (auto refusal = recorder.refusal(network, problem.target))
     return {.stage = std::move(*refusal)};
-  const Requirements requirements = requirements_for(network, problem.target, problem.rules,
-                                                     problem.group(), options.min_eigenvalue);
+  const Requirements requirements =
+      requirements_for(network, problem.target, problem.rules, problem.group(), options);
   Multistart multistart(requirements, problem.candidates, options, control, recorder);
   network::StageResult result{.network = network};
   const Start start{.network = network};

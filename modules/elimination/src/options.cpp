@@ -87,9 +87,19 @@ void BlockOptions::validate() const {
           "BlockOptions::soft_rest_ratio must be in (0, 1)");
 }
 
+void Workmanship::validate() const {
+  require(length_error >= 0, "Workmanship::length_error must not be negative");
+  require(attachment_error >= 0, "Workmanship::attachment_error must not be negative");
+  require(max_deviation > 0, "Workmanship::max_deviation must be positive");
+  require(min_tension_ratio >= 0 && min_tension_ratio < 1,
+          "Workmanship::min_tension_ratio must be in [0, 1)");
+  require(min_tension >= 0, "Workmanship::min_tension must not be negative");
+}
+
 void EliminationOptions::validate() const {
   goal.validate();
   require(min_eigenvalue >= 0, "EliminationOptions::min_eigenvalue must not be negative");
+  workmanship.validate();
   require(threads > 0, "EliminationOptions::threads must be positive");
   step.validate();
   removal.validate();

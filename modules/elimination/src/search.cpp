@@ -134,8 +134,8 @@ Found search_on(const Problem& problem, std::span<const symmetry::Group> seeds,
   if (full.empty() || result.interrupted) return {};
 
   network::StageRecorder recorder("eliminate", control);
-  const Requirements requirements = requirements_for(
-      full.front().network, problem.target, problem.rules, problem.group(), options.min_eigenvalue);
+  const Requirements requirements = requirements_for(full.front().network, problem.target,
+                                                     problem.rules, problem.group(), options);
   Multistart multistart(requirements, problem.candidates, options, control, recorder);
   for (Start& start : near)
     start = {.network = eliminate_in_blocks(multistart, start.network), .descents = 2};
@@ -219,7 +219,8 @@ ParetoArchive search_coarse(const Problem& problem, const Problem& coarse,
                                   .rules = problem.rules,
                                   .symmetry = problem.group(),
                                   .min_eigenvalue = found.min_eigenvalue,
-                                  .max_floating = found.max_floating};
+                                  .max_floating = found.max_floating,
+                                  .workmanship = options.workmanship};
   Multistart multistart(requirements, problem.candidates, options, control, recorder);
   ParetoArchive archive;
   prolong(found.archive.best(), problem.structure, multistart, archive);

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <chrono>
-#include <sstream>
 #include <string>
 #include <tencer/model/frames.hpp>
+#include <tencer/model/units.hpp>
 #include <tencer/network/settling.hpp>
+#include <tencer/pipeline/check.hpp>
 #include <tencer/pipeline/design.hpp>
 #include <tencer/pipeline/omissions.hpp>
-#include <tencer/pipeline/simulate.hpp>
 #include <tencer/pipeline/symmetry.hpp>
 #include <tencer/sensitivity/distance.hpp>
 #include <utility>
@@ -130,16 +130,41 @@ model::StageRow check_settling(const Task& task, const Network& network, Design&
   return row;
 }
 
+// What is looked at of being built, as the scene's [build] asks for it.
+model::Check check_building(const Task& task, const Design& design, const RunOptions& options) {
+  constexpr int draws = 2000;
+  const model::Scene& scene = task.scene;
+  const double mm = 1000 * model::metres(scene.length_unit);
+  // With a number of cables given, the pose may be further from the target than the max error.
+  const double percent = scene.build.max_deviation.value_or(
+      scene.design.cables ? std::max(scene.design.max_error, design.error->max_percent)
+                          : scene.design.max_error);
+  const double size =
+      model::diagonal(task.prepared.problem.target) * task.prepared.scaling.scale.length;
+  model::Check check = quick_check(
+      design, {.length_error_mm = scene.build.length_error_in(scene.length_unit) * mm,
+               .attachment_error_mm = scene.build.attachment_error_in(scene.length_unit) * mm,
+               .max_deviation_mm = percent / 100 * size * mm,
+               .draws = draws,
+               .most_times = 1,
+               .stop = options.stop});
+  if (scene.build.layers) check.clear->cable_rod.reset();
+  return check;
+}
+
 // Whether it is what was asked for and stands: what other cables can mend.
 bool answers(const model::Goal& goal, const Design& design) {
-  return goal.met(score_of(design)) && design.certificate->stable &&
-         design.certificate->settles_from_target.value_or(false);
+  const model::Score score = score_of(design);
+  return goal.met(score) && score.stands;
 }
 
 // The design of a network: complete unless it falls short of something.
-Design certified(const Task& task, const Network& network) {
+Design certified(const Task& task, const Network& network, const RunOptions& options) {
   Design design = recorded(task, network);
   design.trace.push_back(check_settling(task, network, design));
+  const bool unit_known = std::ranges::count(model::length_units(), design.length_unit) > 0;
+  if (design.certificate->stable && cable_count(network) > 0 && unit_known)
+    design.check = check_building(task, design, options);
   design.status = model::shortfalls(design).empty() ? model::DesignStatus::complete
                                                     : model::DesignStatus::tolerance_not_reached;
   return design;
@@ -148,7 +173,7 @@ Design certified(const Task& task, const Network& network) {
 // The networks certified one after the other, from the one asked for on, until one answers: it
 // is better than one that does not stand or settles elsewhere, unless it is much further from the
 // target. When none is, the one asked for. Its row of the trace comes last.
-Design first_answer(const Task& task, const Outcome& outcome) {
+Design first_answer(const Task& task, const Outcome& outcome, const RunOptions& options) {
   constexpr int max_tries = 6;
   const model::Goal goal = goal_of(task.scene.design);
   const int step = goal.by_number() ? -1 : 1;
@@ -156,9 +181,9 @@ Design first_answer(const Task& task, const Outcome& outcome) {
   Design best;
   std::vector<model::StageRow> checks;
   for (int k = 0, i = outcome.asked; k < max_tries && i >= 0 && i < count; i += step, ++k) {
-    Design next = certified(task, outcome.networks[i]);
+    Design next = certified(task, outcome.networks[i], options);
     const bool better =
-        answers(goal, next) && (k == 0 || goal.prefers_settling(score_of(next), score_of(best)));
+        answers(goal, next) && (k == 0 || goal.prefers_standing(score_of(next), score_of(best)));
     if (k == 0 || better) std::swap(best, next);
     if (!next.trace.empty()) checks.push_back(next.trace.back());
     if (better) break;
@@ -167,23 +192,6 @@ Design first_answer(const Task& task, const Outcome& outcome) {
   best.trace = outcome.trace;
   best.trace.insert(best.trace.end(), checks.begin(), checks.end());
   return best;
-}
-
-// Rods of more vertices may rest elsewhere: then the pose is that of the chords and not of the
-// rods.
-void warn_of_few_vertices(const Design& design, const RunOptions& options) {
-  constexpr int times = 4;
-  if (!options.log) return;
-  const auto refined = simulate(design, {.refine = times, .solve = {.stop = options.stop}});
-  if (!refined || !refined->usable() || refined->moved_percent <= design.goal->max_error_percent)
-    return;
-  std::ostringstream text;
-  text.precision(3);
-  text << "the curves have few vertices for this design: with four times as many it comes to rest "
-       << refined->moved_percent
-       << " % of the target's size away; design with more of them, such as "
-       << "--resolution 2";
-  say(options, core::Level::warning, text.str());
 }
 
 }  // namespace
@@ -205,10 +213,8 @@ const Design& best_for(const model::Goal& goal, std::span<const Design> designs)
     const int at = goal.pick(scores);
     return at < 0 ? nullptr : counted[at];
   };
-  const Design* settled = picked([](const Design& design) {
-    return design.certificate->stable && design.certificate->settles_from_target.value_or(false);
-  });
-  if (settled && goal.met(score_of(*settled))) return *settled;
+  const Design* standing = picked([](const Design& design) { return score_of(design).stands; });
+  if (standing && goal.met(score_of(*standing))) return *standing;
   return *picked([](const Design&) { return true; });
 }
 
@@ -216,11 +222,7 @@ core::Expected<Design> design(const model::Scene& scene, const RunOptions& optio
   const auto task = begin(scene, options);
   if (!task) return task.error();
   const Outcome outcome = run_method(*task, false, options);
-  if (!outcome.interrupted) {
-    Design answer = first_answer(*task, outcome);
-    warn_of_few_vertices(answer, options);
-    return answer;
-  }
+  if (!outcome.interrupted) return first_answer(*task, outcome, options);
   Design best = recorded(*task, outcome.networks[outcome.asked]);
   best.trace = outcome.trace;
   best.status = model::DesignStatus::interrupted;
@@ -234,7 +236,7 @@ core::Expected<std::vector<Design>> trade_off(const model::Scene& scene,
   const Outcome outcome = run_method(*task, true, options);
   std::vector<Design> designs;
   for (const Network& network : outcome.networks) {
-    Design next = certified(*task, network);
+    Design next = certified(*task, network, options);
     next.trace.insert(next.trace.begin(), outcome.trace.begin(), outcome.trace.end());
     if (outcome.interrupted) next.status = model::DesignStatus::interrupted;
     designs.push_back(std::move(next));

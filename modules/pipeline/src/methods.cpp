@@ -126,11 +126,25 @@ class Stages {
     add(std::move(next.stage));
   }
 
+  // In scaled units.
+  elimination::Workmanship workmanship() const {
+    const model::BuildSettings& build = task_.scene.build;
+    const double length = task_.prepared.scaling.scale.length;
+    const std::string& unit = task_.scene.length_unit;
+    const double percent = build.max_deviation.value_or(settings_.max_error);
+    return {.length_error = build.length_error_in(unit) / length,
+            .attachment_error = build.attachment_error_in(unit) / length,
+            .max_deviation = percent / 100 * model::diagonal(problem_.target),
+            .min_tension_ratio = build.min_tension_ratio,
+            .min_tension = build.min_tension.value_or(0.0) / task_.prepared.scaling.scale.force()};
+  }
+
   EliminationOptions elimination_options(int cables, bool every_number) const {
     EliminationOptions options{.goal = {.max_error_percent = settings_.max_error,
                                         .cables = cables,
                                         .every_number = every_number},
                                .measure = settings_.objective,
+                               .workmanship = workmanship(),
                                .threads = threads_of(settings_)};
     options.fit.optimizer = task_.fit_optimizer();
     if (settings_.hessian == model::SecondDerivatives::limited_memory)

@@ -160,6 +160,8 @@ std::optional<core::Error> check_scene(const model::Scene& scene) {
     return core::Error{scene.source, "directors: expected one for each rod, set or not"};
   if (const auto problem = scene.design.problem())
     return core::Error{scene.source, "design." + *problem};
+  if (const auto problem = scene.build.problem())
+    return core::Error{scene.source, "build." + *problem};
   try {
     model::validate(scene.structure);
     model::validate(scene.target, scene.structure);
@@ -180,7 +182,9 @@ core::Expected<Prepared> prepare(const model::Scene& scene) {
   Prepared prepared{.scaling = model::scaling_of(scene.structure, scene.target.points)};
   Problem& problem = prepared.problem;
   problem.structure = model::scaled(scene.structure, prepared.scaling);
-  problem.rules = model::scaled(scene.rules, prepared.scaling);
+  model::Rules rules = scene.rules;
+  if (!rules.gaps) rules.gaps = scene.build.gaps();
+  problem.rules = model::scaled(std::move(rules), prepared.scaling);
   problem.rules.external = scene.rules.external && scene.structure.anchors.cols() > 0;
   problem.target = {.points = model::scaled(scene.target.points, prepared.scaling),
                     .weights = scene.target.weights,

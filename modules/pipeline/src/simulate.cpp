@@ -79,7 +79,8 @@ Rest relax(const model::Structure& structure, model::State start,
     Eigen::VectorXd pulling = system.internal_forces(found.state).tension;
     return {std::move(found), std::move(pulling)};
   }
-  if (options.start == Start::target) {
+  // Without cables nothing changes along a path.
+  if (options.start == Start::target || structure.cables.empty()) {
     auto found = equilibrium::relax_inextensible(structure, std::move(start), options.solve);
     return {std::move(found.equilibrium), std::move(found.tensions)};
   }
@@ -96,7 +97,8 @@ void SimulateOptions::validate() const {
 
 core::Expected<Simulation> simulate(const model::Design& given, const SimulateOptions& options) {
   options.validate();
-  const model::Design design = model::subdivided(given, options.refine);
+  model::Design design = model::subdivided(given, options.refine);
+  design.check.reset();  // of another pose
   if (auto error = check_stiffness(design, options.cables)) return *error;
   const auto begin = std::chrono::steady_clock::now();
   const model::Scaling scaling = model::scaling_of(design.structure, design.target);

@@ -11,23 +11,10 @@ namespace {
 
 using springs::ParameterKind;
 
-std::vector<springs::Parameter> all_parameters(const std::vector<springs::Cable>& cables,
-                                               int fixed_cables) {
-  std::vector<springs::Parameter> parameters;
-  for (int c = fixed_cables; c < static_cast<int>(cables.size()); ++c) {
-    parameters.push_back({ParameterKind::rest_length, c});
-    if (std::holds_alternative<springs::OnRod>(cables[c].a))
-      parameters.push_back({ParameterKind::position_a, c});
-    if (std::holds_alternative<springs::OnRod>(cables[c].b))
-      parameters.push_back({ParameterKind::position_b, c});
-  }
-  return parameters;
-}
-
 // parameters, ties, orbits and what the variables are.
 void lay_out(const std::vector<springs::Cable>& cables, const symmetry::Group* group,
              int fixed_cables, LocalModel& model) {
-  model.parameters = all_parameters(cables, fixed_cables);
+  model.parameters = cable_parameters(cables, fixed_cables);
   const auto size = static_cast<Eigen::Index>(model.parameters.size());
   std::vector<springs::Parameter> free = model.parameters;
   if (group) {
@@ -89,6 +76,19 @@ void add_length_rates(const sensitivity::Configuration& at, LocalModel& model) {
 }
 
 }  // namespace
+
+std::vector<springs::Parameter> cable_parameters(const std::vector<springs::Cable>& cables,
+                                                 int fixed_cables) {
+  std::vector<springs::Parameter> parameters;
+  for (int c = fixed_cables; c < static_cast<int>(cables.size()); ++c) {
+    parameters.push_back({ParameterKind::rest_length, c});
+    if (std::holds_alternative<springs::OnRod>(cables[c].a))
+      parameters.push_back({ParameterKind::position_a, c});
+    if (std::holds_alternative<springs::OnRod>(cables[c].b))
+      parameters.push_back({ParameterKind::position_b, c});
+  }
+  return parameters;
+}
 
 LocalModel local_model(const sensitivity::Configuration& at, const model::Target& target,
                        const symmetry::Group* group, int fixed_cables) {

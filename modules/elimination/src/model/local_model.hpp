@@ -31,6 +31,11 @@ struct LocalModel {
   Eigen::MatrixXd density_rates{}, length_rates{};  // d/dz, O x Z
 };
 
+// The rest length and the arc lengths of the ends of each cable but for so many of the first, cable
+// by cable.
+std::vector<springs::Parameter> cable_parameters(const std::vector<springs::Cable>& cables,
+                                                 int fixed_cables);
+
 // group: may be null. fixed_cables: so many of the first cables stay as they are and are in no
 // orbit. Throws std::invalid_argument for fixed cables together with a group.
 LocalModel local_model(const sensitivity::Configuration& at, const model::Target& target,

@@ -29,7 +29,7 @@ std::vector<Path> eliminate_block(Multistart& multistart, const Block& block, in
   const double percent =
       std::min(multistart.aim_percent() * multistart.diagonal() / diagonal, max_aim_percent);
   Requirements requirements =
-      requirements_for(block.network, block.target, block.rules, nullptr, options.min_eigenvalue);
+      requirements_for(block.network, block.target, block.rules, nullptr, options);
   requirements.fixed_cables = block.fixed_cables;
   std::vector<Path> paths(options.portfolio.size());
   network::in_parallel(static_cast<int>(paths.size()), options.threads, [&](int k) {

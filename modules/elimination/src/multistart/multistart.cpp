@@ -7,11 +7,11 @@
 #include <tencer/equilibrium/rigid_modes.hpp>
 #include <tencer/network/parallel.hpp>
 #include <tencer/network/rest_length.hpp>
-#include <tencer/network/settling.hpp>
 #include <utility>
 
 #include "moves/insertion.hpp"
 #include "state/final_fit.hpp"
+#include "state/standing.hpp"
 
 namespace tencer::elimination {
 
@@ -19,15 +19,20 @@ using network::Network;
 
 Requirements requirements_for(const Network& start, const model::Target& target,
                               const model::Rules& rules, const symmetry::Group* symmetry,
-                              double min_eigenvalue) {
+                              const EliminationOptions& options) {
   constexpr double softer = 0.2;  // than the start
+  constexpr double moved = 2;     // times as far by errors as the start is
   const equilibrium::System system(start.structure);
+  Workmanship workmanship = options.workmanship;
+  workmanship.max_deviation =
+      std::max(workmanship.max_deviation, moved * error_deviation(start, workmanship));
   return {.target = target,
           .rules = rules,
           .symmetry = symmetry,
-          .min_eigenvalue = std::min(min_eigenvalue, softer * stiffest_eigenvalue(start)),
+          .min_eigenvalue = std::min(options.min_eigenvalue, softer * stiffest_eigenvalue(start)),
           .max_floating =
-              equilibrium::floating_components(equilibrium::rigid_modes(system, start.state))};
+              equilibrium::floating_components(equilibrium::rigid_modes(system, start.state)),
+          .workmanship = workmanship};
 }
 
 Multistart::Multistart(const Requirements& requirements, std::span<const springs::Cable> candidates,
@@ -90,19 +95,17 @@ void Multistart::add_fitted(const Network& network, ParetoArchive& archive) {
                       .max_percent = fitted.deviation().max_percent,
                       .rms_percent = fitted.deviation().rms_percent,
                       .smallest_eigenvalue = fitted.softest()};
-    solution.settles = settles_from_target(solution.network);
-    const bool enough = solution.settles || control_.stop.stop_requested();
+    const Standing standing =
+        standing_of(solution.network, requirements_, options_.workmanship, control_.stop);
+    solution.settles = standing.settles;
+    solution.forgives = standing.forgives;
+    solution.clear = standing.clear;
+    solution.deviation = standing.deviation;
+    const bool enough = solution.stands() || control_.stop.stop_requested();
     archive.add(std::move(solution));
     if (enough) break;
   }
   count(fitted);
-}
-
-bool Multistart::settles_from_target(const Network& network) const {
-  const model::Target& target = requirements_.target;
-  return settle(network, make_state(network.structure, target.points), target,
-                {.stop = control_.stop})
-      .in_pose();
 }
 
 // Fits the networks of an elimination that may answer the goal: all of them, the first with few

@@ -21,10 +21,11 @@ struct Start {
   const symmetry::Group* symmetry = nullptr;
 };
 
-// No network much softer than `start` is entered, nor one whose rods are more free of each other.
+// No network much softer than `start` is entered, nor one that errors move much further than it and
+// than is asked, nor one whose rods are more free of each other.
 Requirements requirements_for(const network::Network& start, const model::Target& target,
                               const model::Rules& rules, const symmetry::Group* symmetry,
-                              double min_eigenvalue);
+                              const EliminationOptions& options);
 
 // Refers to all that it is given. Its functions are called by one thread, and share the work among
 // options.threads; results do not depend on their number.
@@ -70,7 +71,6 @@ class Multistart {
   // insertion: which of the best cables goes in; -1: none.
   ParetoArchive perturbed(const Solution& solution, const DescentSettings& settings, int insertion);
   std::vector<const Solution*> bests(std::span<const ParetoArchive> archives) const;
-  bool settles_from_target(const network::Network& network) const;
   ParetoArchive fit_answers(const std::vector<network::Network>& path);
 
   const Requirements& requirements_;

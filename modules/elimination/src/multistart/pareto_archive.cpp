@@ -23,29 +23,32 @@ const Solution* pick(const ByCables& closest, const model::Goal& goal) {
 }  // namespace
 
 void ParetoArchive::add(Solution solution) {
-  if (solution.settles) keep_closest(solution, settling_);
+  if (solution.stands()) keep_closest(solution, standing_);
   keep_closest(std::move(solution), closest_);
 }
 
 void ParetoArchive::add(const ParetoArchive& other) {
-  for (const auto& [cables, solution] : other.settling_) keep_closest(solution, settling_);
+  for (const auto& [cables, solution] : other.standing_) keep_closest(solution, standing_);
   for (const auto& [cables, solution] : other.closest_) keep_closest(solution, closest_);
 }
 
 const Solution* ParetoArchive::best_for(const model::Goal& goal) const {
   const Solution* closest = pick(closest_, goal);
-  const Solution* settling = pick(settling_, goal);
-  return settling && goal.prefers_settling(settling->score(), closest->score()) ? settling
+  const Solution* standing = pick(standing_, goal);
+  return standing && goal.prefers_standing(standing->score(), closest->score()) ? standing
                                                                                 : closest;
 }
 
 std::vector<Solution> ParetoArchive::best() const {
   std::vector<Solution> result;
+  bool any_stands = false;
   for (const auto& [cables, closest] : closest_) {
-    const auto settling = settling_.find(cables);
-    const Solution& solution = settling == settling_.end() ? closest : settling->second;
-    if (result.empty() || solution.max_percent < result.back().max_percent)
+    const auto standing = standing_.find(cables);
+    const Solution& solution = standing == standing_.end() ? closest : standing->second;
+    if (result.empty() || solution.max_percent < result.back().max_percent ||
+        (solution.stands() && !any_stands))
       result.push_back(solution);
+    any_stands = any_stands || solution.stands();
   }
   return result;
 }

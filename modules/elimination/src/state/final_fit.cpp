@@ -41,7 +41,8 @@ void fit_closely(FittedNetwork& fitted, model::Measure measure, double stability
     const double before = error();
     fitted.set({.norm = {.unit = std::max(before, min_distance_percent) / 100 * diagonal,
                          .power = largest && round > 0 ? options.power : 2.0},
-                .stability_weight = stability_weight});
+                .stability_weight = stability_weight,
+                .buildable = true});
     if (options.optimizer && fitted.cables() > 0)
       optimize_once(fitted, options);
     else

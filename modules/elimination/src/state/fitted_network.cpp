@@ -8,6 +8,7 @@
 #include <tencer/springs/law.hpp>
 #include <utility>
 
+#include "model/gap_bounds.hpp"
 #include "model/soft_rates.hpp"
 
 namespace tencer::elimination {
@@ -36,6 +37,7 @@ FittedNetwork::FittedNetwork(const network::Network& network, const Requirements
 
 bool FittedNetwork::restart(const network::Network& network) {
   trial_.system.set_cables(network.structure.cables);
+  errors_.deviation = std::numeric_limits<double>::infinity();  // the network is as it is
   usable_ =
       solve_trial(network.state, {}, {.tolerance = options_.tolerance, .stop = control_.stop});
   if (usable_) accept();
@@ -45,14 +47,23 @@ bool FittedNetwork::restart(const network::Network& network) {
 void FittedNetwork::set(const Objective& objective) {
   objective_ = objective;
   const sensitivity::Distance distance(requirements_.target, at_.system, at_.state);
-  value_ = evaluate(distance.residual(), soft_);
+  value_ = evaluate(distance.residual(), soft_, errors_);
 }
 
-double FittedNetwork::evaluate(const Eigen::VectorXd& residual,
-                               const equilibrium::SoftModes& soft) const {
-  return mismatch(residual, objective_.norm) + objective_.stability_weight * 10 *
-                                                   requirements_.min_eigenvalue *
-                                                   soft.values.cwiseInverse().sum();
+FittedNetwork::Softness FittedNetwork::softness(double eigenvalue, double variance) const {
+  const double soft = 10 * requirements_.min_eigenvalue / eigenvalue;
+  const double moved = 4 * variance / std::pow(requirements_.workmanship.max_deviation, 2);
+  // The forces of the errors on the mode stay nearly the same, so that the variance goes with the
+  // inverse square of the eigenvalue.
+  return {.value = soft + moved, .rate = -(soft + 2 * moved) / eigenvalue};
+}
+
+double FittedNetwork::evaluate(const Eigen::VectorXd& residual, const equilibrium::SoftModes& soft,
+                               const ErrorResponse& errors) const {
+  double sum = 0;
+  for (Eigen::Index k = 0; k < soft.values.size(); ++k)
+    sum += softness(soft.values[k], errors.variance[k]).value;
+  return mismatch(residual, objective_.norm) + objective_.stability_weight * sum;
 }
 
 // Solves for the trial's equilibrium and judges it.
@@ -71,9 +82,14 @@ bool FittedNetwork::solve_trial(model::State start, const equilibrium::SoftModes
   if (softest < clearly_stiffer * limit &&
       !equilibrium::stiffer_than(trial_.system, trial_.linearisation, limit, workspace_))
     return false;
+  trial_errors_ =
+      error_response(trial_, trial_soft_, requirements_.workmanship, requirements_.fixed_cables);
+  if (2 * trial_errors_.deviation > requirements_.workmanship.max_deviation &&
+      trial_errors_.deviation > errors_.deviation)
+    return false;
   const sensitivity::Distance distance(requirements_.target, trial_.system, trial_.state);
   trial_deviation_ = distance.deviation();
-  trial_value_ = evaluate(distance.residual(), trial_soft_);
+  trial_value_ = evaluate(distance.residual(), trial_soft_, trial_errors_);
   return std::isfinite(trial_value_);
 }
 
@@ -94,13 +110,15 @@ bool FittedNetwork::trial_is_valid() const {
 void FittedNetwork::accept() {
   std::swap(at_, trial_);
   soft_ = trial_soft_;
+  errors_ = trial_errors_;
   deviation_ = trial_deviation_;
   value_ = trial_value_;
 }
 
 Squares FittedNetwork::stability_terms(const LocalModel& local,
                                        const sensitivity::Configuration& at,
-                                       const equilibrium::SoftModes& soft) const {
+                                       const equilibrium::SoftModes& soft,
+                                       const ErrorResponse& errors) const {
   if (!(objective_.stability_weight > 0))
     return {.value = {}, .rates = Eigen::MatrixXd(0, local.ties.cols())};
   const Eigen::Index modes = soft.values.size();
@@ -108,9 +126,9 @@ Squares FittedNetwork::stability_terms(const LocalModel& local,
                 .rates = Eigen::MatrixXd(modes, local.ties.cols())};
   for (Eigen::Index k = 0; k < modes; ++k) {
     const Eigen::VectorXd rate = soft_rates(at, soft, k, local);
-    terms.value[k] =
-        std::sqrt(objective_.stability_weight * 10 * requirements_.min_eigenvalue / soft.values[k]);
-    terms.rates.row(k) = -terms.value[k] / (2 * soft.values[k]) * rate.transpose();
+    const auto [value, slope] = softness(soft.values[k], errors.variance[k]);
+    terms.value[k] = std::sqrt(objective_.stability_weight * value);
+    terms.rates.row(k) = terms.value[k] * slope / (2 * value) * rate.transpose();
   }
   return terms;
 }
@@ -121,11 +139,20 @@ StepBounds FittedNetwork::step_bounds(const LocalModel& local) const {
   const auto orbits = static_cast<Eigen::Index>(local.orbits.size());
   const auto slides = static_cast<Eigen::Index>(local.positions.size());
   const bool limited = std::isfinite(rules.max_cable_length);
-  const Eigen::Index rows = orbits + 2 * slides + (limited ? orbits : 0);
+  const StepBounds gaps = objective_.buildable && rules.gaps
+                              ? gap_bounds(at_, local, *rules.gaps)
+                              : StepBounds{.rows = Eigen::MatrixXd(0, local.ties.cols())};
+  const Eigen::Index rows = orbits + 2 * slides + (limited ? orbits : 0) + gaps.lower.size();
   StepBounds bounds{.rows = Eigen::MatrixXd::Zero(rows, local.ties.cols()),
                     .lower = Eigen::VectorXd(rows)};
   bounds.rows.topRows(orbits) = local.density_rates;
   bounds.lower.head(orbits) = (options_.kept_density - 1) * local.density;
+  if (objective_.buildable && orbits > 0) {
+    const double least = requirements_.workmanship.least_tension(
+        local.density.cwiseProduct(local.length).maxCoeff());
+    bounds.lower.head(orbits) =
+        bounds.lower.head(orbits).cwiseMax(least * local.length.cwiseInverse() - local.density);
+  }
   Eigen::Index row = orbits;
   for (const auto& position : local.positions) {
     const double most = options_.max_slide * edge_of(structure, position.at.rod);
@@ -136,21 +163,25 @@ StepBounds FittedNetwork::step_bounds(const LocalModel& local) const {
     bounds.lower[row++] = -std::min(free.upper - position.at.s, most);
   }
   if (limited) {
-    bounds.rows.bottomRows(orbits) = -local.length_rates;
-    bounds.lower.tail(orbits) = local.length.array() - rules.max_cable_length;
+    bounds.rows.middleRows(row, orbits) = -local.length_rates;
+    bounds.lower.segment(row, orbits) = local.length.array() - rules.max_cable_length;
   }
+  bounds.rows.bottomRows(gaps.lower.size()) = gaps.rows;
+  bounds.lower.tail(gaps.lower.size()) = gaps.lower;
   return bounds;
 }
 
 GaussNewtonModel FittedNetwork::gauss_newton_model(double damping_factor) const {
-  return model_at(at_, soft_, damping_factor);
+  return model_at(at_, soft_, errors_, damping_factor);
 }
 
-GaussNewtonModel FittedNetwork::trial_model() const { return model_at(trial_, trial_soft_, 1.0); }
+GaussNewtonModel FittedNetwork::trial_model() const {
+  return model_at(trial_, trial_soft_, trial_errors_, 1.0);
+}
 
 GaussNewtonModel FittedNetwork::model_at(const sensitivity::Configuration& at,
                                          const equilibrium::SoftModes& soft,
-                                         double damping_factor) const {
+                                         const ErrorResponse& errors, double damping_factor) const {
   const auto& structure = at.system.structure();
   LocalModel local =
       local_model(at, requirements_.target, requirements_.symmetry, requirements_.fixed_cables);
@@ -161,7 +192,7 @@ GaussNewtonModel FittedNetwork::model_at(const sensitivity::Configuration& at,
   Eigen::VectorXd damping = Eigen::VectorXd::Constant(local.ties.cols(), cost / (edge * edge));
   for (const auto& position : local.positions)
     damping[position.variable] = cost / std::pow(edge_of(structure, position.at.rod), 2);
-  const Squares stability = stability_terms(local, at, soft);
+  const Squares stability = stability_terms(local, at, soft, errors);
   StepBounds bounds = step_bounds(local);
   return {std::move(local), objective_.norm, stability, damping, std::move(bounds)};
 }

@@ -10,6 +10,7 @@
 #include <tencer/network/stage_recorder.hpp>
 #include <tencer/sensitivity/tracker.hpp>
 
+#include "model/error_response.hpp"
 #include "model/gauss_newton_model.hpp"
 
 namespace tencer::elimination {
@@ -22,13 +23,20 @@ struct Requirements {
   double min_eigenvalue = 0.0;                // softer networks are not entered
   int max_floating = 1;  // components of rods that are free of each other, at most
   int fixed_cables = 0;  // so many of the first cables stay as they are; only without symmetry
+  Workmanship workmanship{};
 };
 
-// The mismatch in `norm` plus stability_weight * sum of (10 min_eigenvalue / eigenvalue) over the
-// softest modes: networks are kept clear of the loss of stability.
+// The mismatch in `norm` plus stability_weight * sum of softness over the softest modes, which is
+//   10 min_eigenvalue / eigenvalue + (2 standard deviations of its motion by errors /
+//   max_deviation)^2:
+// networks are kept clear of the loss of stability, and of poses that errors of their cables
+// change.
 struct Objective {
   Norm norm{};
   double stability_weight = 0.0;
+  // What the rules and the workmanship ask of a network that is built: gaps, and no cable much
+  // weaker than the strongest. Bounds on steps; else it is left for later.
+  bool buildable = false;
 };
 
 class FittedNetwork {
@@ -80,15 +88,24 @@ class FittedNetwork {
   const std::stop_token& stop_token() const { return control_.stop; }
 
  private:
+  // A mode's part in the objective, in units of the stability weight, and its derivative in the
+  // mode's eigenvalue.
+  struct Softness {
+    double value = 0.0;
+    double rate = 0.0;
+  };
+  Softness softness(double eigenvalue, double variance) const;
   bool solve_trial(model::State start, const equilibrium::SoftModes& nearby,
                    const equilibrium::SolveOptions& options);
   bool trial_is_valid() const;
   void accept();
-  double evaluate(const Eigen::VectorXd& residual, const equilibrium::SoftModes& soft) const;
+  double evaluate(const Eigen::VectorXd& residual, const equilibrium::SoftModes& soft,
+                  const ErrorResponse& errors) const;
   GaussNewtonModel model_at(const sensitivity::Configuration& at,
-                            const equilibrium::SoftModes& soft, double damping_factor) const;
+                            const equilibrium::SoftModes& soft, const ErrorResponse& errors,
+                            double damping_factor) const;
   Squares stability_terms(const LocalModel& local, const sensitivity::Configuration& at,
-                          const equilibrium::SoftModes& soft) const;
+                          const equilibrium::SoftModes& soft, const ErrorResponse& errors) const;
   StepBounds step_bounds(const LocalModel& local) const;
 
   Requirements requirements_;
@@ -97,6 +114,7 @@ class FittedNetwork {
   network::Control control_;
   sensitivity::Configuration at_, trial_;
   equilibrium::SoftModes soft_, trial_soft_;
+  ErrorResponse errors_, trial_errors_;
   sensitivity::Deviation deviation_, trial_deviation_;
   double value_ = 0.0, trial_value_ = 0.0;
   double damping_;

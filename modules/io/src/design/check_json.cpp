@@ -123,10 +123,6 @@ std::string check_text(const Design& design, const Check& check) {
   return pretty(to_json(check, design));
 }
 
-std::string design_text(const Design& design, const Check& check) {
-  Json result = design_to_json(design);
-  result["check"] = to_json(check, design);
-  return pretty(result);
-}
+Json check_to_json(const Check& check, const Design& design) { return to_json(check, design); }
 
 }  // namespace tencer::io

@@ -16,4 +16,7 @@ model::Design design_from_json(const JsonValue& root);
 
 nlohmann::ordered_json design_to_json(const model::Design& design);
 
+// Of a design.
+nlohmann::ordered_json check_to_json(const model::Check& check, const model::Design& design);
+
 }  // namespace tencer::io

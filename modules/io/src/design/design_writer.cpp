@@ -188,6 +188,7 @@ Json design_to_json(const Design& design) {
     result["error"] = Json{{"max_percent", design.error->max_percent},
                            {"rms_percent", design.error->rms_percent}};
   if (design.certificate) result["certificate"] = to_json(*design.certificate);
+  if (design.check) result["check"] = check_to_json(*design.check, design);
   result["trace"] = list(design.trace);
   return result;
 }

@@ -251,6 +251,21 @@ void read_design(const TomlTable& design, Scene& scene) {
   read_forbidden(design, scene);
 }
 
+void read_build(const TomlTable& build, model::BuildSettings& settings) {
+  build.only({"length_error", "attachment_error", "max_deviation", "clearance", "mark_distance",
+              "layers", "min_tension_ratio", "min_tension"});
+  settings.length_error = build.at_least_zero("length_error");
+  settings.attachment_error = build.at_least_zero("attachment_error");
+  settings.max_deviation = build.positive("max_deviation");
+  settings.clearance = build.at_least_zero("clearance");
+  settings.mark_distance = build.at_least_zero("mark_distance");
+  settings.layers = build.boolean("layers").value_or(settings.layers);
+  settings.min_tension_ratio =
+      build.at_least_zero("min_tension_ratio").value_or(settings.min_tension_ratio);
+  if (settings.min_tension_ratio >= 1) build.fail("min_tension_ratio", "must be less than 1");
+  settings.min_tension = build.at_least_zero("min_tension");
+}
+
 // The corners of a frame about all targets.
 Eigen::Matrix3Xd frame_anchors(const TomlTable& frame, const Scene& scene) {
   frame.only({"shape", "margin"});
@@ -299,7 +314,7 @@ void check_crossings(const Scene& scene) {
 Scene parse_scene(const TomlTable& root, const std::filesystem::path& path,
                   const SceneOptions& options) {
   root.only({"name", "length_unit", "force_unit", "planar", "anchors", "frame", "pinned", "gravity",
-             "loads", "rod", "design"});
+             "loads", "rod", "design", "build"});
   Scene scene;
   model::Structure& structure = scene.structure;
   scene.name = root.text("name").value_or(path.stem().string());
@@ -320,6 +335,7 @@ Scene parse_scene(const TomlTable& root, const std::filesystem::path& path,
   for (const TomlTable& load : root.tables("loads"))
     structure.point_loads.push_back(read_load(load, scene));
   if (const auto design = root.table("design")) read_design(*design, scene);
+  if (const auto build = root.table("build")) read_build(*build, scene.build);
   check_crossings(scene);
   if (structure.planar) check_plane(scene, root.where("planar"));
   return scene;

@@ -51,17 +51,27 @@ std::string errors_words(const Forgives& forgives, double times, const Words& wo
          words.mm(times * forgives.attachment_error);
 }
 
+// Errors stay what they are in a structure of another size: so many times as large it would forgive
+// them.
+std::string larger_words(const Forgives& forgives) {
+  double times = forgives.percentile_95 / forgives.max_deviation;
+  if (forgives.falls_at) times = std::max(times, 1 / *forgives.falls_at);
+  return times > 1 ? " (" + Words::number(times) + " times as large it would forgive them)"
+                   : std::string();
+}
+
 void add_shortfalls(const Forgives& forgives, const Words& words, Reasons& reasons) {
   add_if(forgives.percentile_95 > forgives.max_deviation,
          "forgives: with " + errors_words(forgives, 1, words) + " it is within " +
              words.mm(forgives.percentile_95) + ", not the " + words.mm(forgives.max_deviation) +
-             " allowed",
+             " allowed" + larger_words(forgives),
          reasons);
   add_if(forgives.fallen > 0,
          "forgives: " + std::to_string(forgives.fallen) + " of " +
              std::to_string(forgives.settled) + " fall to another pose" +
              (forgives.falls_at
-                  ? ", the first with " + errors_words(forgives, *forgives.falls_at, words)
+                  ? ", the first with " + errors_words(forgives, *forgives.falls_at, words) +
+                        larger_words(forgives)
                   : std::string()),
          reasons);
 }
@@ -218,7 +228,7 @@ std::vector<std::string> shortfalls(const Check& check, const CheckUnits& units)
   return reasons;
 }
 
-std::string report(const Check& check, const CheckUnits& units) {
+std::string lines(const Check& check, const CheckUnits& units) {
   const Words words(units);
   std::string text;
   if (check.stands) text += line(*check.stands, words) + '\n';
@@ -227,6 +237,11 @@ std::string report(const Check& check, const CheckUnits& units) {
   if (check.holds) text += line(*check.holds, words) + '\n';
   if (check.clear) text += line(*check.clear, words) + '\n';
   if (check.converged) text += line(*check.converged, words) + '\n';
+  return text;
+}
+
+std::string report(const Check& check, const CheckUnits& units) {
+  std::string text = lines(check, units);
   for (const std::string& reason : shortfalls(check, units)) text += "fails: " + reason + '\n';
   return text;
 }

@@ -6,7 +6,10 @@ namespace tencer::model {
 Score score_of(const Design& design) {
   return {.cables = static_cast<int>(design.structure.cables.size()),
           .max_percent = design.error->max_percent,
-          .settles = design.certificate && design.certificate->settles_from_target.value_or(false)};
+          .stands = design.certificate && design.certificate->stable &&
+                    design.certificate->settles_from_target.value_or(false) &&
+                    (!design.check ||
+                     shortfalls(*design.check, {design.length_unit, design.force_unit}).empty())};
 }
 
 int external_cables(const Design& design) {

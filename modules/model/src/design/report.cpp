@@ -76,6 +76,9 @@ std::vector<std::string> shortfalls(const Design& design) {
                                                " groups of rods to each other");
   add(!certificate.settles_from_target.value_or(true),
       "let go at the target it comes to rest elsewhere");
+  if (design.check)
+    for (std::string& reason : shortfalls(*design.check, {design.length_unit, design.force_unit}))
+      reasons.push_back(std::move(reason));
   return reasons;
 }
 
@@ -97,13 +100,14 @@ std::string summary(const Design& design) {
        << " with inextensible cables: force imbalance " << certificate.residual
        << ", smallest eigenvalue " << certificate.smallest_eigenvalue << " (" << eigenvalue_unit
        << "), " << counted(certificate.slack_cables, "slack cable") << '\n';
-  if (certificate.off_by_errors)
+  if (certificate.off_by_errors && !design.check)
     text << "cables cut to 1 mm and tied to 2 mm: off by about "
          << millimetres(design, *certificate.off_by_errors) << " mm (tencer check tells more)\n";
   if (certificate.settles_from_target)
     text << (*certificate.settles_from_target
                  ? "let go at the target it comes to rest in this pose\n"
                  : "let go at the target it comes to rest elsewhere\n");
+  if (design.check) text << lines(*design.check, {design.length_unit, design.force_unit});
   return text.str();
 }
 

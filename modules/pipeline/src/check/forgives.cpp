@@ -10,7 +10,6 @@ namespace {
 void settle(const RestPose& pose, const certify::CableErrors& errors, const CheckOptions& options,
             model::Forgives& result) {
   constexpr int draws = 30;
-  constexpr double most = 8;
   if (errors.length == 0 && errors.attachment == 0) return;
   const auto settled = certify::settle_draws(pose.structure, pose.state, pose.tensions, errors,
                                              draws, options.seed, options.stop);
@@ -25,7 +24,7 @@ void settle(const RestPose& pose, const certify::CableErrors& errors, const Chec
       result.settled_worst = std::max(result.settled_worst, deviation);
   }
   const auto fall = certify::first_fall(pose.structure, pose.state, pose.tensions, errors, settled,
-                                        options.seed, most, options.stop);
+                                        options.seed, options.most_times, options.stop);
   result.falls_at = fall.times;
   result.falls_up_to = fall.looked_to;
 }

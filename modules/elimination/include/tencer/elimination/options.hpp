@@ -6,7 +6,9 @@
 // of them. Counts move by one or two either way with most of them.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <tencer/model/goal.hpp>
 #include <tencer/model/settings.hpp>
@@ -97,7 +99,7 @@ struct FitOptions {
   double power = 8;  // of the norm that stands for the largest distance
   // What does not settle from the target may once it resists its softest motions more: these
   // weights are tried one after the other.
-  std::array<double, 2> stability_weights{1e-2, 0.5};
+  std::array<double, 3> stability_weights{1e-2, 0.5, 5.0};
 
   void validate() const;
 };
@@ -149,6 +151,22 @@ struct BlockOptions {
   void validate() const;
 };
 
+// What a network must forgive and keep so that it stands once it is built. Lengths are in scaled
+// units (model/scaling.hpp).
+struct Workmanship {
+  double length_error = 0.0;      // of a cable's length, at most, either way
+  double attachment_error = 0.0;  // of a mark's place on its rod, likewise
+  double max_deviation = std::numeric_limits<double>::infinity();  // that these may cause (95 %)
+  double min_tension_ratio = 0.0;  // the weakest cable's tension, of the strongest's
+  double min_tension = 0.0;        // likewise, a force
+
+  double least_tension(double largest) const {
+    return std::max(min_tension_ratio * largest, min_tension);
+  }
+
+  void validate() const;
+};
+
 struct EliminationOptions {
   model::Goal goal{};
   model::Measure measure = model::Measure::max;  // what the last fit makes small
@@ -156,6 +174,7 @@ struct EliminationOptions {
   // better by getting ever softer would not survive being built. A free straight rod has 500.
   // Networks that are softer at the start are held to a fifth of what they have.
   double min_eigenvalue = 500.0;
+  Workmanship workmanship{};
   int threads = 2;  // the result does not depend on it
   StepOptions step{};
   RemovalOptions removal{};

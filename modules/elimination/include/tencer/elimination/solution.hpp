@@ -15,16 +15,21 @@ struct Solution {
   double rms_percent = 0.0;
   // In the units of equilibrium::Stability: an upper bound, from three approximate modes.
   double smallest_eigenvalue = 0.0;
-  bool settles = false;  // as built, and let go at the target, it comes to rest in this pose
+  bool settles = false;    // as built, and let go at the target, it comes to rest in this pose
+  bool forgives = false;   // errors within the workmanship keep it near this pose
+  bool clear = false;      // gaps and tensions are as the rules and the workmanship ask
+  double deviation = 0.0;  // by errors within the workmanship (95 %), to first order; a length
 
   int cables() const { return cable_count(network); }
-  model::Score score() const { return {cables(), max_percent, settles}; }
+  bool stands() const { return settles && forgives && clear; }
+  model::Score score() const { return {cables(), max_percent, stands()}; }
 };
 
 struct [[nodiscard]] EliminationResult {
   // Its network is what the goal asks for, or what came nearest to it.
   network::StageResult stage{};
-  // The fewest cables first, each closer to the target than all with fewer cables.
+  // The fewest cables first, each closer to the target than all with fewer cables, or the first
+  // that stands.
   std::vector<Solution> solutions{};
 };
 

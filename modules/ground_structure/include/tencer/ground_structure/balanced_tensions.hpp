@@ -15,8 +15,8 @@ namespace tencer::ground_structure {
 
 // `bare`, here and below: the rods, with those cables that stay as they are.
 //
-// How far each unit of tension moves the positions (size x orbits), and how far the forces of `bare`
-// would, the other way (size): what the columns are to add up to. Unknowns that are no
+// How far each unit of tension moves the positions (size x orbits), and how far the forces of
+// `bare` would, the other way (size): what the columns are to add up to. Unknowns that are no
 // positions are zero.
 struct Displacements {
   Eigen::MatrixXd columns{};

@@ -8,11 +8,8 @@
 
 namespace tencer::io {
 
-// A JSON object of its own.
+// A JSON object; the file of a design that has a check holds the same under "check". Readers leave
+// it alone: it holds of this file only.
 std::string check_text(const model::Design& design, const model::Check& check);
-
-// The text of the design file, see design.hpp, with the same object under "check". Readers leave it
-// alone: it holds of this file only.
-std::string design_text(const model::Design& design, const model::Check& check);
 
 }  // namespace tencer::io

@@ -125,7 +125,10 @@ struct Check {
 // What fails, a clause each that starts with the section: "forgives: ..."; none: nothing does.
 std::vector<std::string> shortfalls(const Check& check, const CheckUnits& units);
 
-// A line for each section, lengths in mm and forces in N, and "fails: ..." for each shortfall.
+// A line for each section, lengths in mm and forces in N.
+std::string lines(const Check& check, const CheckUnits& units);
+
+// The same, and "fails: ..." for each shortfall.
 std::string report(const Check& check, const CheckUnits& units);
 
 }  // namespace tencer::model

@@ -7,6 +7,7 @@
 #include <string>
 #include <tencer/geometry/polyline.hpp>
 #include <tencer/model/certificate.hpp>
+#include <tencer/model/check.hpp>
 #include <tencer/model/goal.hpp>
 #include <tencer/model/stage_row.hpp>
 #include <tencer/model/strain.hpp>
@@ -47,8 +48,9 @@ struct Design {
   std::vector<std::optional<BendingStrain>> strains{};
   std::optional<DesignError> error = std::nullopt;  // not set in a design that nobody solved yet
   std::optional<Certificate> certificate = std::nullopt;  // likewise
-  std::vector<StageRow> trace{};                          // error against run time
-  std::optional<Goal> goal = std::nullopt;                // what was asked for; not in design files
+  std::optional<Check> check = std::nullopt;  // what was looked at of being built; not read back
+  std::vector<StageRow> trace{};              // error against run time
+  std::optional<Goal> goal = std::nullopt;    // what was asked for; not in design files
 
   bool complete() const { return status == DesignStatus::complete; }
 
@@ -59,7 +61,8 @@ struct Design {
   std::string full_report() const;
 };
 
-// Why the design is not what was asked for, a clause each: "it does not stand"; none: it is.
+// Why the design is not what was asked for, a clause each: "it does not stand"; none: it is. What
+// its check finds counts.
 std::vector<std::string> shortfalls(const Design& design);
 
 // The cables, the error and the certificate in words, a line each.

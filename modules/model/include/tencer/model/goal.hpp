@@ -9,8 +9,8 @@ namespace tencer::model {
 struct Score {
   int cables = 0;
   double max_percent = 0.0;  // the largest distance from the target, in % of its diagonal
-  // As built, and let go at the target, it comes to rest in its pose.
-  bool settles = false;
+  // As it is built it comes to rest in its pose, forgives small errors and keeps clear of itself.
+  bool stands = false;
 };
 
 // The fewest cables within an error; with a number of cables, the closest with at most so many; or
@@ -22,23 +22,23 @@ struct Goal {
 
   bool by_number() const { return cables > 0; }
 
-  // Whether the score is what is asked for, settling apart: few enough cables, or close enough.
+  // Whether the score is what is asked for, standing apart: few enough cables, or close enough.
   bool met(const Score& score) const {
     return by_number() ? score.cables <= cables : score.max_percent <= max_error_percent;
   }
 
-  // Whether `next` answers clearly better than `best`: by what settles before what does not, then
+  // Whether `next` answers clearly better than `best`: by what stands before what does not, then
   // by fewer cables where an error is asked for and both are within it, then by distance (at least
   // 3 % less: smaller gains are not worth a change).
   bool improves(const Score& next, const Score& best) const;
 
   // The index of what is asked for, or of what comes nearest to it, among scores with ascending
-  // numbers of cables; -1 when there are none. Settling is not looked at.
+  // numbers of cables; -1 when there are none. Whether they stand is not looked at.
   int pick(std::span<const Score> scores) const;
 
-  // Whether an answer that settles is to be taken in place of one that may not: with a number of
+  // Whether an answer that stands is to be taken in place of one that may not: with a number of
   // cables asked for it may be at most twice as far away.
-  bool prefers_settling(const Score& settling, const Score& other) const;
+  bool prefers_standing(const Score& standing, const Score& other) const;
 
   // Throws std::invalid_argument, naming the field, unless the numbers make sense.
   void validate() const;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <tencer/geometry/polyline.hpp>
+#include <tencer/model/build.hpp>
 #include <tencer/model/rules.hpp>
 #include <tencer/model/settings.hpp>
 #include <tencer/model/symmetry.hpp>
@@ -28,6 +29,7 @@ struct Scene {
   std::vector<std::string> notes{};  // what was made of the input that its author may want to know
   std::vector<SymmetryGenerator> generators{};  // for SymmetryUse::given
   DesignSettings design{};
+  BuildSettings build{};
 };
 
 // The curve that a rod's target is.

@@ -1,0 +1,46 @@
+#include "model/error_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tencer/sensitivity/parameters.hpp>
+
+#include "model/local_model.hpp"
+
+namespace tencer::elimination {
+
+ErrorResponse error_response(const sensitivity::Configuration& at,
+                             const equilibrium::SoftModes& soft, const Workmanship& workmanship,
+                             int fixed_cables) {
+  const Eigen::Index modes = soft.values.size();
+  ErrorResponse response{.variance = Eigen::VectorXd::Zero(modes)};
+  if (!(workmanship.length_error > 0 || workmanship.attachment_error > 0)) return response;
+  const auto parameters = cable_parameters(at.cables(), fixed_cables);
+  const auto count = static_cast<Eigen::Index>(parameters.size());
+  const double unit = equilibrium::eigenvalue_unit(at.system.structure());
+  // Mode k's coordinate moves by -(mode . dg/dp) / eigenvalue for a unit of parameter p.
+  Eigen::MatrixXd coordinates(count, modes);
+  for (Eigen::Index k = 0; k < modes; ++k)
+    coordinates.col(k) = sensitivity::force_derivatives_transposed(at.system, at.state, parameters,
+                                                                   soft.modes.col(k)) /
+                         (soft.values[k] * unit);
+  for (Eigen::Index p = 0; p < count; ++p)
+    coordinates.row(p) *=
+        (parameters[p].kind == springs::ParameterKind::rest_length ? workmanship.length_error
+                                                                   : workmanship.attachment_error) /
+        std::sqrt(3.0);  // the standard deviation of a uniform error
+  const Eigen::MatrixXd covariance = coordinates.transpose() * coordinates;
+  response.variance = covariance.diagonal();
+  double largest = 0;
+  for (int rod = 0; rod < static_cast<int>(at.state.size()); ++rod)
+    for (int vertex = 0; vertex < at.state[rod].x.cols(); ++vertex) {
+      double variance = 0;
+      for (int axis = 0; axis < 3; ++axis)
+        if (const int i = at.system.position_index(rod, vertex, axis); i >= 0)
+          variance += soft.modes.row(i) * covariance * soft.modes.row(i).transpose();
+      largest = std::max(largest, variance);
+    }
+  response.deviation = std::sqrt(largest);
+  return response;
+}
+
+}  // namespace tencer::elimination

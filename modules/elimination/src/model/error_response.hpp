@@ -1,0 +1,22 @@
+// How far small errors of its cables move a network, by its softest motions.
+#pragma once
+
+#include <Eigen/Core>
+#include <tencer/elimination/options.hpp>
+#include <tencer/equilibrium/modal.hpp>
+#include <tencer/sensitivity/tracker.hpp>
+
+namespace tencer::elimination {
+
+struct ErrorResponse {
+  Eigen::VectorXd variance{};  // of each mode's coordinate: the square of a mean displacement
+  double deviation = 0.0;      // standard deviation of the vertex that moves most, a length
+};
+
+// Errors are independent and uniform within the limits of the workmanship; the first cables, as
+// many as `fixed_cables`, have none. What stiffer modes add is left out.
+ErrorResponse error_response(const sensitivity::Configuration& at,
+                             const equilibrium::SoftModes& soft, const Workmanship& workmanship,
+                             int fixed_cables);
+
+}  // namespace tencer::elimination
