@@ -247,7 +247,10 @@ void Newton::run(model::State start) {
     if (balance) {
       if (const auto reason = conclude(now)) return finish(std::move(now), *reason);
       if (at_.negative > 0) {
-        if (!escape(now)) return finish(std::move(now), Reason::saddle);
+        // Where rounding is all there is, escapes may lead from one saddle to the next for ever.
+        if (options_.stop.stop_requested()) return finish(std::move(now), Reason::stopped);
+        if (result_.iterations >= options_.max_iterations || !escape(now))
+          return finish(std::move(now), Reason::saddle);
         waited = 0;
         continue;
       }
