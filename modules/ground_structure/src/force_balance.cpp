@@ -17,17 +17,22 @@ namespace {
 
 using network::Network;
 
+// Whether it is between rods of different components.
+bool joins(const CandidateOrbit& orbit, const std::vector<int>& components) {
+  const springs::Cable& cable = orbit.front().cable;
+  const auto* a = std::get_if<springs::OnRod>(&cable.a);
+  const auto* b = std::get_if<springs::OnRod>(&cable.b);
+  return a && b && components[a->rod] != components[b->rod];
+}
+
 // The shortest candidate between two components of rods, null when there is none.
 const CandidateOrbit* shortest_joining(const model::Structure& structure,
                                        const std::vector<CandidateOrbit>& orbits) {
   const auto components = model::components(structure);
   const CandidateOrbit* shortest = nullptr;
   for (const CandidateOrbit& orbit : orbits) {
-    const springs::Cable& cable = orbit.front().cable;
-    const auto* a = std::get_if<springs::OnRod>(&cable.a);
-    const auto* b = std::get_if<springs::OnRod>(&cable.b);
-    const bool joins = a && b && components[a->rod] != components[b->rod];
-    if (joins && (!shortest || orbit.front().length < shortest->front().length)) shortest = &orbit;
+    if (joins(orbit, components) && (!shortest || orbit.front().length < shortest->front().length))
+      shortest = &orbit;
   }
   return shortest;
 }
@@ -51,12 +56,8 @@ std::vector<const CandidateOrbit*> spread_joining(const model::Structure& struct
     return both;
   };
   std::vector<const CandidateOrbit*> joining;
-  for (const CandidateOrbit& orbit : orbits) {
-    const springs::Cable& cable = orbit.front().cable;
-    const auto* a = std::get_if<springs::OnRod>(&cable.a);
-    const auto* b = std::get_if<springs::OnRod>(&cable.b);
-    if (a && b && components[a->rod] != components[b->rod]) joining.push_back(&orbit);
-  }
+  for (const CandidateOrbit& orbit : orbits)
+    if (joins(orbit, components)) joining.push_back(&orbit);
   std::vector<const CandidateOrbit*> chosen;
   const CandidateOrbit* next = shortest_joining(structure, orbits);
   Eigen::VectorXd nearest = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(joining.size()),
