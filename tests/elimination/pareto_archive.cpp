@@ -11,9 +11,7 @@ namespace {
 Solution solution(int cables, double percent, bool stands) {
   Solution result{.max_percent = percent,
                   .rms_percent = percent / 2,
-                  .settles = true,
-                  .forgives = stands,
-                  .clear = true};
+                  .standing = {.settles = true, .clear = true, .forgives = stands}};
   result.network.structure.cables.resize(cables);
   return result;
 }

@@ -8,6 +8,11 @@
 
 namespace tencer::elimination {
 
+certify::CableErrors errors_of(const Workmanship& workmanship, double times) {
+  return {.length = times * workmanship.length_error,
+          .attachment = times * workmanship.attachment_error};
+}
+
 ErrorResponse error_response(const sensitivity::Configuration& at,
                              const equilibrium::SoftModes& soft, const Workmanship& workmanship,
                              int fixed_cables) {
@@ -24,10 +29,8 @@ ErrorResponse error_response(const sensitivity::Configuration& at,
                                                                    soft.modes.col(k)) /
                          (soft.values[k] * unit);
   for (Eigen::Index p = 0; p < count; ++p)
-    coordinates.row(p) *=
-        (parameters[p].kind == springs::ParameterKind::rest_length ? workmanship.length_error
-                                                                   : workmanship.attachment_error) /
-        std::sqrt(3.0);  // the standard deviation of a uniform error
+    coordinates.row(p) *= certify::limit_of(errors_of(workmanship), parameters[p]) /
+                          std::sqrt(3.0);  // the standard deviation of a uniform error
   const Eigen::MatrixXd covariance = coordinates.transpose() * coordinates;
   response.variance = covariance.diagonal();
   double largest = 0;

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <tencer/certify/tolerance.hpp>
 #include <tencer/elimination/options.hpp>
 #include <tencer/equilibrium/modal.hpp>
 #include <tencer/sensitivity/tracker.hpp>
 
 namespace tencer::elimination {
+
+// The workmanship's errors, so many times as large.
+certify::CableErrors errors_of(const Workmanship& workmanship, double times = 1);
 
 struct ErrorResponse {
   Eigen::VectorXd variance{};  // of each mode's coordinate: the square of a mean displacement

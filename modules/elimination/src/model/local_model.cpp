@@ -1,6 +1,7 @@
 #include "model/local_model.hpp"
 
 #include <algorithm>
+#include <tencer/certify/tolerance.hpp>
 #include <tencer/core/error.hpp>
 #include <tencer/springs/derivatives.hpp>
 #include <tencer/springs/law.hpp>
@@ -80,13 +81,9 @@ void add_length_rates(const sensitivity::Configuration& at, LocalModel& model) {
 std::vector<springs::Parameter> cable_parameters(const std::vector<springs::Cable>& cables,
                                                  int fixed_cables) {
   std::vector<springs::Parameter> parameters;
-  for (int c = fixed_cables; c < static_cast<int>(cables.size()); ++c) {
-    parameters.push_back({ParameterKind::rest_length, c});
-    if (std::holds_alternative<springs::OnRod>(cables[c].a))
-      parameters.push_back({ParameterKind::position_a, c});
-    if (std::holds_alternative<springs::OnRod>(cables[c].b))
-      parameters.push_back({ParameterKind::position_b, c});
-  }
+  for (int c = fixed_cables; c < static_cast<int>(cables.size()); ++c)
+    for (const auto& parameter : certify::parameters_of(cables[c], c))
+      parameters.push_back(parameter);
   return parameters;
 }
 

@@ -95,13 +95,9 @@ void Multistart::add_fitted(const Network& network, ParetoArchive& archive) {
                       .max_percent = fitted.deviation().max_percent,
                       .rms_percent = fitted.deviation().rms_percent,
                       .smallest_eigenvalue = fitted.softest()};
-    const Standing standing =
+    solution.standing =
         standing_of(solution.network, requirements_, options_.workmanship, control_.stop);
-    solution.settles = standing.settles;
-    solution.forgives = standing.forgives;
-    solution.clear = standing.clear;
-    solution.deviation = standing.deviation;
-    const bool enough = solution.stands() || control_.stop.stop_requested();
+    const bool enough = solution.standing.holds() || control_.stop.stop_requested();
     archive.add(std::move(solution));
     if (enough) break;
   }

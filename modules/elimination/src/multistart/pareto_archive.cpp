@@ -23,7 +23,7 @@ const Solution* pick(const ByCables& closest, const model::Goal& goal) {
 }  // namespace
 
 void ParetoArchive::add(Solution solution) {
-  if (solution.stands()) keep_closest(solution, standing_);
+  if (solution.standing.holds()) keep_closest(solution, standing_);
   keep_closest(std::move(solution), closest_);
 }
 
@@ -46,9 +46,9 @@ std::vector<Solution> ParetoArchive::best() const {
     const auto standing = standing_.find(cables);
     const Solution& solution = standing == standing_.end() ? closest : standing->second;
     if (result.empty() || solution.max_percent < result.back().max_percent ||
-        (solution.stands() && !any_stands))
+        (solution.standing.holds() && !any_stands))
       result.push_back(solution);
-    any_stands = any_stands || solution.stands();
+    any_stands = any_stands || solution.standing.holds();
   }
   return result;
 }

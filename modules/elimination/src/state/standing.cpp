@@ -33,8 +33,7 @@ bool falls(const network::Network& network, const Workmanship& workmanship,
            const std::stop_token& stop) {
   constexpr double larger = 1.5;  // so that few draws tell what many smaller ones would
   constexpr int draws = 10;
-  const certify::CableErrors errors{.length = larger * workmanship.length_error,
-                                    .attachment = larger * workmanship.attachment_error};
+  const certify::CableErrors errors = errors_of(workmanship, larger);
   if (errors.length == 0 && errors.attachment == 0) return false;
   const model::Structure structure = built(network);
   const Eigen::VectorXd tensions = cable_tensions(network);
@@ -52,11 +51,7 @@ double error_deviation(const network::Network& network, const Workmanship& workm
   const Eigen::VectorXd tensions = cable_tensions(network);
   const auto response = certify::pose_response(built(network), network.state, tensions);
   if (!response.computed) return std::numeric_limits<double>::infinity();
-  return certify::tolerance(
-             response, tensions,
-             {.length = workmanship.length_error, .attachment = workmanship.attachment_error},
-             draws)
-      .percentile_95;
+  return certify::tolerance(response, tensions, errors_of(workmanship), draws).percentile_95;
 }
 
 Standing standing_of(const network::Network& network, const Requirements& requirements,

@@ -7,6 +7,17 @@
 
 namespace tencer::elimination {
 
+// Whether a network stands once it is built.
+struct Standing {
+  bool settles = false;    // let go at the target it comes to rest in its pose
+  bool clear = false;      // gaps and tensions are as the rules and the workmanship ask
+  double deviation = 0.0;  // by errors within the workmanship (95 %), to first order; a length
+  // These errors keep it near its pose; looked at only when it settles and is clear.
+  bool forgives = false;
+
+  bool holds() const { return settles && clear && forgives; }
+};
+
 // A network that was fitted and is in stable equilibrium with every cable pulling, its cables as
 // good as inextensible.
 struct Solution {
@@ -15,14 +26,10 @@ struct Solution {
   double rms_percent = 0.0;
   // In the units of equilibrium::Stability: an upper bound, from three approximate modes.
   double smallest_eigenvalue = 0.0;
-  bool settles = false;    // as built, and let go at the target, it comes to rest in this pose
-  bool forgives = false;   // errors within the workmanship keep it near this pose
-  bool clear = false;      // gaps and tensions are as the rules and the workmanship ask
-  double deviation = 0.0;  // by errors within the workmanship (95 %), to first order; a length
+  Standing standing{};
 
   int cables() const { return cable_count(network); }
-  bool stands() const { return settles && forgives && clear; }
-  model::Score score() const { return {cables(), max_percent, stands()}; }
+  model::Score score() const { return {cables(), max_percent, standing.holds()}; }
 };
 
 struct [[nodiscard]] EliminationResult {
