@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <numbers>
 #include <tencer/equilibrium/stability.hpp>
 #include <tencer/ground_structure/force_balance.hpp>
 #include <tencer/symmetry/orbit.hpp>
@@ -55,4 +56,28 @@ TEST_CASE("Rods at rest in the target need no cables") {
       .points = Eigen::RowVectorXd::LinSpaced(20, 0, 1).replicate(3, 1), .closed = false}});
   const auto result = force_balance(problem_of(model), nullptr);
   CHECK(result.network.structure.cables.empty());
+}
+
+TEST_CASE("straight rods, which rest without cables, are tied into a form that stands") {
+  // The three struts of a prism of cables (a tensegrity), twisted by 150 degrees.
+  constexpr int vertices = 9;
+  Model model;
+  for (int k = 0; k < 3; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 3;
+    const double above = angle + 5 * std::numbers::pi / 6;
+    const Eigen::Vector3d foot(0.12 * std::cos(angle), 0.12 * std::sin(angle), 0);
+    const Eigen::Vector3d head(0.12 * std::cos(above), 0.12 * std::sin(above), 0.24);
+    Eigen::Matrix3Xd x(3, vertices);
+    for (int i = 0; i < vertices; ++i) x.col(i) = foot + (head - foot) * i / (vertices - 1.0);
+    der::Rod rod;
+    rod.section = {.EA = 1e5, .EI1 = 1, .EI2 = 1, .GJ = 2.0 / 3};
+    rod.rest_lengths =
+        Eigen::VectorXd::Constant(vertices - 1, (head - foot).norm() / (vertices - 1));
+    model.structure.rods.push_back(rod);
+    model.positions.push_back(x);
+  }
+  const auto stage = ground_structure::force_balance(problem_of(model), nullptr);
+  REQUIRE(stage.valid());
+  CHECK(model::components(stage.network.structure) == std::vector<int>{0, 0, 0});
+  CHECK(network::cable_tensions(stage.network).minCoeff() > 0);
 }
