@@ -76,6 +76,8 @@ TEST_CASE("a step that is not accepted leaves the network as it is") {
       Eigen::VectorXd::Constant(model.local().ties.cols(), std::nan(""));
   CHECK_FALSE(network.move(model.local(), nothing, {}, 1e9));
   CHECK_FALSE(network.move(model.local(), 1e4 * model.step({}), {}, 1e9));
+  const Eigen::VectorXd endless = Eigen::VectorXd::Constant(nothing.size(), 1e200);
+  CHECK_FALSE(network.move(model.local(), endless, {}, 1e9));
   CHECK(network.value() == value);
   CHECK(network.at().state[0].x == x);
   CHECK(network.usable());

@@ -260,8 +260,11 @@ class Run {
       auto& cables = network.structure.cables;
       if (slack == Slack::tightened) {
         const Eigen::VectorXd lengths = cable_lengths(network);
-        for (Eigen::Index c = 0; c < lengths.size(); ++c)
-          cables[c].rest_length = lengths[c] - tensions[c] / cables[c].stiffness;
+        for (Eigen::Index c = 0; c < lengths.size(); ++c) {
+          const double rest_length = lengths[c] - tensions[c] / cables[c].stiffness;
+          if (!(rest_length >= 0)) return false;  // its ends met: the rods have gone elsewhere
+          cables[c].rest_length = rest_length;
+        }
       } else {
         leave_out(idle, symmetry_, cables);
       }

@@ -217,9 +217,10 @@ Eigen::VectorXd FittedNetwork::removal_instability(const LocalModel& local) cons
 bool FittedNetwork::move(const LocalModel& local, const Eigen::VectorXd& step,
                          const std::vector<int>& out, double max_value) {
   constexpr double rest_ratio = network::stiff_rest_ratio;
-  if (!step.allFinite()) return false;
   const auto& system = at_.system;
   const Eigen::VectorXd motion = local.motion * step;
+  // Next to a loss of stability steps or what they move have no bounds.
+  if (!step.allFinite() || !std::isfinite(motion.squaredNorm())) return false;
   model::State predicted = system.displaced(at_.state, motion);
   auto cables = at_.cables();
   const Eigen::VectorXd change = local.ties * step;
@@ -231,6 +232,7 @@ bool FittedNetwork::move(const LocalModel& local, const Eigen::VectorXd& step,
   }
   const Eigen::VectorXd density = (local.density + local.density_rates * step)
                                       .cwiseMax(options_.kept_density / 2 * local.density);
+  if (!density.allFinite()) return false;
   for (std::size_t o = 0; o < local.orbits.size(); ++o)
     for (const int c : local.orbits[o]) {
       const auto stencil =
