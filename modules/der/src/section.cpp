@@ -19,6 +19,9 @@ template <class... F>
 struct Cases : F... {
   using F::operator()...;
 };
+// clang 14 does not deduce the arguments of an aggregate without being told.
+template <class... F>
+Cases(F...) -> Cases<F...>;
 
 double ring_area(double outer, double inner) {
   return std::numbers::pi * (outer * outer - inner * inner);

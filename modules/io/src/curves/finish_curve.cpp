@@ -12,13 +12,12 @@
 namespace tencer::io {
 namespace {
 
-constexpr double negligible = 1e-9;  // relative to the curve's bounding-box diagonal
-
 // 1 + cosine of the turning angle below which a turn counts as straight back.
 constexpr double straight_back = 1e-10;
 
 double negligible_length(const Eigen::Matrix3Xd& points) {
-  return negligible * (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+  constexpr double relative = 1e-9;  // to the bounding box's diagonal
+  return relative * (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
 // The indices of points that do not repeat the one before them.

@@ -104,7 +104,8 @@ std::string box_in_words(const Scene& scene) {
 }  // namespace
 
 std::string in_one_line(const Scene& scene) {
-  const auto& [rods, materials] = std::tie(scene.structure.rods, scene.structure.materials);
+  const auto& rods = scene.structure.rods;
+  const auto& materials = scene.structure.materials;
   std::string text = rods_in_words(scene) + ", " + said_once(rods.size(), [&](std::size_t r) {
                        return shape_in_words(rods[r].section.shape, scene);
                      });
