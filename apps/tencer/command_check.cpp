@@ -17,6 +17,7 @@ constexpr const char* examples = R"(Examples:
   tencer check knot/design.json --length-error 0.5 --attachment-error 1 --max-deviation 5
   tencer check knot/design.json --json                 for programs
   tencer check knot/design.json -o checked             its files, with the check in design.json
+  tencer check knot/design.json --repair -o repaired   what moves at no cost is tied
 
 Exit code 3 when something fails, which the report says. docs/check.md has what each line means.)";
 
@@ -81,6 +82,8 @@ void add_check(CLI::App& app, Command& chosen) {
       ->check(positive_integer())
       ->capture_default_str();
   command->add_option("--seed", options.seed, "Of what is drawn")->capture_default_str();
+  command->add_flag("--repair", options.repair,
+                    "Tie what moves at no cost with the fewest cables, and check that");
   command->add_flag("--json", request->json, "Write JSON instead of words");
   command->add_option("-o,--output", request->output, "Folder for the design with its check");
   command->callback(

@@ -60,3 +60,46 @@ run_tencer(check ring/design.json --max-deviation 0.001 --breaking-load 0.001)
 expect_status(3)
 expect_contains("${out}" "fails: forgives: with cables cut to 1 mm and tied to 2 mm it is within ")
 expect_contains("${out}" "fails: holds: cable ")
+
+# Rings that nothing ties to each other move at no cost. Through each other they can be tied: what
+# was added is said, and the files have it.
+function(write_rings second)
+  file(WRITE ${WORK}/rings.toml "[[rod]]\nfamily = \"ellipse\"\nvertices = 40\n"
+    "[[rod]]\nspline = [${second}]\nvertices = 40\n"
+    "[design]\nrod_pairs = [[0, 0], [1, 1]]\n")
+endfunction()
+write_rings("[60, 1, 2], [53, 1, 20], [30, 1, 27], [7, 1, 20], [0, 1, 2], [7, 1, -16], \
+[30, 1, -23], [53, 1, -16], [60, 1, 2]")
+run_tencer(design rings.toml -o rings --quiet)
+expect_status(3)
+run_tencer(check rings/design.json)
+expect_status(3)
+expect_contains("${out}" "fails: stands: rod 0 moves freely at no cost")
+run_tencer(check rings/design.json --repair --length-error 0 --attachment-error 0 -o tied)
+expect_contains("${out}" "\nstands: yes")
+string(REGEX MATCH "repair: ([0-9]+) cables added .*; with them the pose moves by [0-9.]+ mm\n"
+  added "${out}")
+set(count ${CMAKE_MATCH_1})
+if(NOT added OR "${out}" MATCHES "fails: (stands|repair)" OR count GREATER 10)
+  message(SEND_ERROR "not repaired with few cables: ${out}")
+endif()
+foreach(folder rings tied)
+  file(READ ${WORK}/${folder}/design.json design)
+  string(JSON cables_${folder} LENGTH "${design}" cables)
+endforeach()
+math(EXPR more "${cables_tied} - ${cables_rings}")
+string(JSON said GET "${design}" check repair cables)
+if(NOT more EQUAL count OR NOT said EQUAL count)
+  message(SEND_ERROR "${count} cables said, ${said} in the check, ${more} in the file")
+endif()
+run_tencer(check tied/design.json --repair --length-error 0 --attachment-error 0)
+expect_contains("${out}" "repair: none needed")
+
+# One above the other they cannot, for cables only pull.
+write_rings("[30, 0, 20], [21, 18, 20], [0, 25, 20], [-21, 18, 20], [-30, 0, 20], \
+[-21, -18, 20], [0, -25, 20], [21, -18, 20], [30, 0, 20]")
+run_tencer(design rings.toml -o apart --quiet)
+expect_status(3)
+run_tencer(check apart/design.json --repair --length-error 0 --attachment-error 0)
+expect_status(3)
+expect_contains("${out}" "fails: repair: not possible: no cables were found ")

@@ -50,6 +50,17 @@ model::Design bow(double centimetre, const std::string& length_unit) {
   return design;
 }
 
+// Pinned at its ends.
+model::Design swinging_arch() {
+  model::Design arch = bow(1, "cm");
+  arch.structure.pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = edges}};
+  arch.structure.cables.clear();
+  arch.built.clear();
+  arch.pose[0].row(0) *= 0.9;
+  arch.target = arch.pose;
+  return arch;
+}
+
 }  // namespace
 
 TEST_CASE("a glass fibre rod clamped at one end sounds and sags as a beam, in Hz and cm") {
@@ -104,18 +115,69 @@ TEST_CASE("a bow's check says the same in cm and mm") {
 }
 
 TEST_CASE("an arch that swings about the line through its pins fails, and the line is named") {
-  model::Design arch = bow(1, "cm");
-  arch.structure.pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = edges}};
-  arch.structure.cables.clear();
-  arch.built.clear();
-  arch.pose[0].row(0) *= 0.9;
-  arch.target = arch.pose;
-  const auto checked = pipeline::check(arch);
+  const auto checked = pipeline::check(swinging_arch());
   REQUIRE(checked);
   const auto fails = model::shortfalls(checked->check, {"cm", "N"});
   CHECK(std::ranges::any_of(fails, [](const auto& fail) {
     return fail.starts_with("stands: rod 0 turns about the line through (");
   }));
+}
+
+TEST_CASE("a swinging arch is tied to anchors on both sides of it, and cannot be to one side's") {
+  model::Design arch = swinging_arch();
+  const auto untied = pipeline::check(arch, {.repair = true});
+  REQUIRE(untied);
+  CHECK_THAT(model::report(untied->check, {"cm", "N"}),
+             Contains("fails: repair: not possible: no cables were found between rods, or to "
+                      "anchors"));
+
+  const double height = arch.pose[0].row(1).maxCoeff();
+  arch.structure.anchors = Eigen::Matrix3Xd{{25, 25}, {height / 2, height / 2}, {30, -30}};
+  const auto tied = pipeline::check(arch, {.repair = true});
+  REQUIRE(tied);
+  REQUIRE(tied->check.repair);
+  const model::Repair& repair = *tied->check.repair;
+  CHECK(repair.problem.empty());
+  CHECK(repair.cables == 2);
+  CHECK(repair.least_tension > 0);
+  CHECK(repair.moved < 0.01 * 50);
+  CHECK(tied->design.structure.cables.size() == 2);
+  CHECK(tied->check.stands->certified);
+  CHECK(tied->check.stands->free_groups.empty());
+}
+
+TEST_CASE("bows through each other that nothing ties are tied with few cables, where they are") {
+  model::Design bows = bow(1, "cm");
+  const model::Design other = bow(1, "cm");
+  bows.structure.rods.push_back(other.structure.rods[0]);
+  bows.structure.cables.push_back({.a = springs::OnRod{1, 0}, .b = springs::OnRod{1, length_cm}});
+  bows.built.push_back(other.built[0]);
+  // Each rod passes between the other's rod and string.
+  const auto across = [](const Eigen::Matrix3Xd& x) {
+    Eigen::Matrix3Xd turned(3, x.cols());
+    turned << x.row(2).array() + length_cm / 2, 10.5 - x.row(1).array(),
+        x.row(0).array() - length_cm / 2;
+    return turned;
+  };
+  for (auto* points : {&bows.pose, &bows.target}) points->push_back(across(points->front()));
+  bows.target_directors.push_back(other.target_directors[0]);
+  bows.pose_directors.push_back(other.pose_directors[0]);
+  // Errors take their time, and are no matter here.
+  pipeline::CheckOptions options{.length_error_mm = 0, .attachment_error_mm = 0};
+  const auto loose = pipeline::check(bows, options);
+  REQUIRE(loose);
+  CHECK(loose->check.stands->free_groups.size() == 2);
+  options.repair = true;
+  const auto tied = pipeline::check(bows, options);
+  REQUIRE(tied);
+  REQUIRE(tied->check.repair);
+  const model::Repair& repair = *tied->check.repair;
+  CHECK(repair.problem.empty());
+  CHECK(repair.cables >= 4);
+  CHECK(repair.cables <= 10);
+  CHECK(repair.moved < 0.01 * 60);
+  CHECK(tied->check.stands->certified);
+  CHECK(tied->check.stands->free_groups.empty());
 }
 
 TEST_CASE("strain, tension and deviation beyond what is allowed fail") {

@@ -9,6 +9,7 @@
 #include <tencer/network/rest_length.hpp>
 #include <tencer/network/stage_recorder.hpp>
 #include <tencer/sensitivity/distance.hpp>
+#include <tencer/springs/law.hpp>
 #include <tencer/symmetry/tie.hpp>
 #include <utility>
 
@@ -17,60 +18,84 @@ namespace {
 
 using network::Network;
 
-// Whether it is between rods of different components.
-bool joins(const CandidateOrbit& orbit, const std::vector<int>& components) {
-  const springs::Cable& cable = orbit.front().cable;
-  const auto* a = std::get_if<springs::OnRod>(&cable.a);
-  const auto* b = std::get_if<springs::OnRod>(&cable.b);
-  return a && b && components[a->rod] != components[b->rod];
-}
-
-// The shortest candidate between two components of rods, null when there is none.
-const CandidateOrbit* shortest_joining(const model::Structure& structure,
-                                       const std::vector<CandidateOrbit>& orbits) {
-  const auto components = model::components(structure);
-  const CandidateOrbit* shortest = nullptr;
-  for (const CandidateOrbit& orbit : orbits) {
-    if (joins(orbit, components) && (!shortest || orbit.front().length < shortest->front().length))
-      shortest = &orbit;
+// How much of a candidate's stretch the rigid motions can make that `modes` has, one entry for each
+// component of rods: a cosine.
+double stretched(const equilibrium::System& system,
+                 const std::vector<equilibrium::RigidModes>& modes, const CandidateOrbit& orbit) {
+  const CandidateColumn& column = orbit.front();
+  double squared = 0;
+  double all = 0;
+  for (const equilibrium::RigidModes& component : modes) {
+    if (component.basis.cols() == 0) continue;
+    Eigen::VectorXd stretch = Eigen::VectorXd::Zero(component.basis.cols());
+    for_each_unknown(system, column,
+                     [&](int i, double weight) { stretch += weight * component.basis.row(i); });
+    squared += stretch.squaredNorm();
   }
-  return shortest;
+  for_each_unknown(system, column, [&](int, double weight) { all += weight * weight; });
+  return all > 0 ? std::sqrt(squared / all) : 0.0;
 }
 
-// Candidates between components of rods, at most `count`, the shortest first, then each as far from
-// the others as can be: both ends count.
-std::vector<const CandidateOrbit*> spread_joining(const model::Structure& structure,
-                                                  const model::State& state,
-                                                  const std::vector<CandidateOrbit>& orbits,
-                                                  int count) {
-  const auto components = model::components(structure);
+// The candidates that rigid motions stretch which cost the structure nothing. None: it has no such
+// motion, or moves as a whole.
+std::vector<const CandidateOrbit*> ties_of(const model::Structure& structure,
+                                           const model::State& state,
+                                           const std::vector<CandidateOrbit>& orbits) {
+  constexpr double least = 0.01;  // of those that they stretch most
+  const bool held =
+      !structure.pins.empty() || std::ranges::any_of(structure.cables, model::is_external);
+  const equilibrium::System system(structure);
+  const auto modes = equilibrium::rigid_modes(system, state);
+  if (equilibrium::floating_components(modes) <= (held ? 0 : 1)) return {};
+  std::vector<double> stretch;
+  for (const CandidateOrbit& orbit : orbits) stretch.push_back(stretched(system, modes, orbit));
+  const double most = orbits.empty() ? 0.0 : *std::ranges::max_element(stretch);
+  std::vector<const CandidateOrbit*> ties;
+  if (!(most > 1e-9)) return ties;
+  for (std::size_t i = 0; i < orbits.size(); ++i)
+    if (stretch[i] > least * most) ties.push_back(&orbits[i]);
+  return ties;
+}
+
+// None of no candidates.
+const CandidateOrbit* shortest(const std::vector<const CandidateOrbit*>& orbits) {
+  const auto at =
+      std::ranges::min_element(orbits, {}, [](const auto* orbit) { return orbit->front().length; });
+  return at == orbits.end() ? nullptr : *at;
+}
+
+// At most `count` of the candidates, the shortest first, then each as far from the others as can
+// be: both ends count.
+std::vector<const CandidateOrbit*> spread(const std::vector<const CandidateOrbit*>& orbits,
+                                          const model::State& state, int count) {
   const auto ends = [&](const CandidateOrbit& orbit) {
     Eigen::Matrix<double, 6, 1> both = Eigen::Matrix<double, 6, 1>::Zero();
-    const springs::Stencil& stencil = orbit.front().stencil;
-    for (int i = 0; i < stencil.count; ++i) {
-      const springs::Share& share = stencil.shares[i];
+    const CandidateColumn& column = orbit.front();
+    for (int i = 0; i < column.stencil.count; ++i) {
+      const springs::Share& share = column.stencil.shares[i];
       // Vertices of end a have negative weights.
       both.segment<3>(share.weight < 0 ? 0 : 3) +=
           std::abs(share.weight) * state[share.rod].x.col(share.vertex);
     }
+    if (std::holds_alternative<springs::AtAnchor>(column.cable.a))
+      both.head<3>() = both.tail<3>() - column.length * column.direction;
+    if (std::holds_alternative<springs::AtAnchor>(column.cable.b))
+      both.tail<3>() = both.head<3>() + column.length * column.direction;
     return both;
   };
-  std::vector<const CandidateOrbit*> joining;
-  for (const CandidateOrbit& orbit : orbits)
-    if (joins(orbit, components)) joining.push_back(&orbit);
   std::vector<const CandidateOrbit*> chosen;
-  const CandidateOrbit* next = shortest_joining(structure, orbits);
-  Eigen::VectorXd nearest = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(joining.size()),
+  const CandidateOrbit* next = shortest(orbits);
+  Eigen::VectorXd nearest = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(orbits.size()),
                                                       std::numeric_limits<double>::infinity());
   while (next && static_cast<int>(chosen.size()) < count) {
     chosen.push_back(next);
     const auto at = ends(*next);
-    for (std::size_t i = 0; i < joining.size(); ++i) {
+    for (std::size_t i = 0; i < orbits.size(); ++i) {
       double& distance = nearest[static_cast<Eigen::Index>(i)];
-      distance = std::min(distance, (ends(*joining[i]) - at).norm());
+      distance = std::min(distance, (ends(*orbits[i]) - at).norm());
     }
     Eigen::Index furthest = 0;
-    next = nearest.maxCoeff(&furthest) > 0 ? joining[static_cast<std::size_t>(furthest)] : nullptr;
+    next = nearest.maxCoeff(&furthest) > 0 ? orbits[static_cast<std::size_t>(furthest)] : nullptr;
   }
   return chosen;
 }
@@ -98,15 +123,14 @@ const CandidateOrbit* most_stretched(const equilibrium::System& system,
 }
 
 // The candidate to add next to a network that is not stable enough where its rods are: one that
-// joins components which are free of each other, else the one that resists the softest motion most.
-// null: it is stable enough, or nothing helps.
+// ties what moves at no cost, else the one that resists the softest motion most. null: it is stable
+// enough, or nothing helps.
 const CandidateOrbit* stabilising(const Network& network, const std::vector<CandidateOrbit>& orbits,
                                   double margin) {
+  if (const auto* tie = shortest(ties_of(network.structure, network.state, orbits))) return tie;
   const equilibrium::System system(network.structure);
   equilibrium::Linearisation at;
   equilibrium::linearise(system, network.state, at);
-  if (equilibrium::floating_components(at.rigid) > 1)
-    if (const auto* joining = shortest_joining(network.structure, orbits)) return joining;
   linalg::SymmetricFactor factor;
   if (!factor.factorise(equilibrium::shifted(system, std::move(at.matrix), margin))) return nullptr;
   if (factor.inertia().negative == system.saddle_unknowns()) return nullptr;
@@ -156,7 +180,7 @@ class Run {
   // which then holds against it.
   Balanced balance(double accuracy) {
     Balanced best = balance_from(problem_.bare(), accuracy);
-    if (floating(best.network) <= 1) return best;
+    if (ties_of(best.network.structure, best.network.state, orbits_).empty()) return best;
     Balanced tied = balance_from(tied_rods(), accuracy);
     return tied.pulling ? tied : best;
   }
@@ -164,20 +188,17 @@ class Run {
   const network::SolveCounts& counts() const { return counts_; }
 
  private:
-  // All rods tied to each other, each pair of components with as many cables as it takes to hold a
-  // body in space that can only be pulled at.
+  // The bare network with ties for what moves at no cost, until nothing does. They are as soft as
+  // their tension lets them: stiff ones would hold each other, and the balance would see nothing of
+  // their pull.
   Network tied_rods() const {
-    constexpr int cables_of_tie = 7;
-    constexpr double tension = 1;  // EI / L^2
     Network network = problem_.bare();
-    const auto rods = static_cast<int>(problem_.structure.rods.size());
-    for (int k = 1; k < rods; ++k) {
-      const auto joining = spread_joining(network.structure, network.state, orbits_, cables_of_tie);
-      for (const CandidateOrbit* orbit : joining)
-        for (auto& cable : cables_of(*orbit, tension, network::stiff_rest_ratio))
+    for (std::size_t k = 0; k < problem_.structure.rods.size(); ++k) {
+      const auto loose = ties_of(network.structure, network.state, orbits_);
+      if (loose.empty()) break;
+      for (const CandidateOrbit* orbit : spread(loose, network.state, options_.ties))
+        for (auto& cable : cables_of(*orbit, options_.tie_tension, 0))
           network.structure.cables.push_back(cable);
-      const auto components = model::components(network.structure);
-      if (*std::ranges::max_element(components) == 0) break;
     }
     return network;
   }
@@ -203,7 +224,7 @@ class Run {
     for (const auto& [rest_ratio, slack] :
          {Treatment{0.999, Slack::tightened}, Treatment{0.99, Slack::left_out},
           Treatment{0.999, Slack::left_out}}) {
-      Balanced next{.network = stabilised(base, *found, rest_ratio)};
+      Balanced next{.network = stabilised(stiffened(base, rest_ratio), *found, rest_ratio)};
       next.pulling = solve_pulling(next.network, slack);
       next.percent = percent_of(next.network);
       // A network with slack cables is better than none, for what is said of it.
@@ -215,9 +236,13 @@ class Run {
     return best;
   }
 
-  static int floating(const Network& network) {
-    const equilibrium::System system(network.structure);
-    return equilibrium::floating_components(equilibrium::rigid_modes(system, network.state));
+  // With ties that hardly stretch.
+  Network stiffened(Network network, double rest_ratio) const {
+    const Eigen::VectorXd lengths = cable_lengths(network);
+    auto& cables = network.structure.cables;
+    for (std::size_t c = problem_.structure.cables.size(); c < cables.size(); ++c)
+      cables[c] = springs::rebased(cables[c], lengths[static_cast<Eigen::Index>(c)], rest_ratio);
+    return network;
   }
 
   double percent_of(const Network& network) const {
@@ -257,6 +282,9 @@ class Run {
       network.state = std::move(solved.state);
       const auto idle = idle_cables(network);
       if (!solved.usable() || idle.empty()) return solved.usable();
+      // Those of the structure that it was called with stay.
+      if (slack == Slack::left_out && idle.front() < std::ssize(problem_.structure.cables))
+        return false;
       auto& cables = network.structure.cables;
       if (slack == Slack::tightened) {
         const Eigen::VectorXd lengths = cable_lengths(network);
@@ -287,13 +315,14 @@ void ForceBalanceOptions::validate() const {
   core::require(stability_margin > 0, "ForceBalanceOptions::stability_margin must be positive");
   core::require(max_added >= 0, "ForceBalanceOptions::max_added must not be negative");
   core::require(added_tension > 0, "ForceBalanceOptions::added_tension must be positive");
+  core::require(ties > 0, "ForceBalanceOptions::ties must be positive");
+  core::require(tie_tension > 0, "ForceBalanceOptions::tie_tension must be positive");
 }
 
 network::StageResult force_balance(const Problem& problem, const symmetry::Group* symmetry,
                                    const ForceBalanceOptions& options,
                                    const network::Control& control) {
   options.validate();
-  core::require(problem.structure.cables.empty(), "force_balance: starts without cables");
   network::StageRecorder recorder("balance", control);
   network::StageResult result{.network = problem.bare()};
   Run run(problem, symmetry, options, control);

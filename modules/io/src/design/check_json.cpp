@@ -20,6 +20,16 @@ Json to_json(const Stands& stands) {
           {"free_groups", stands.free_groups}};
 }
 
+Json to_json(const Repair& repair) {
+  if (!repair.problem.empty()) return {{"problem", repair.problem}};
+  if (repair.cables == 0) return {{"cables", 0}};
+  return {{"cables", repair.cables},
+          {"first_cable", repair.first_cable},
+          {"least_tension", repair.least_tension},
+          {"most_tension", repair.most_tension},
+          {"moved", repair.moved}};
+}
+
 Json cable_or_none(int cable) { return cable < 0 ? Json(nullptr) : Json(cable); }
 
 Json to_json(const Forgives& forgives) {
@@ -108,6 +118,7 @@ Json to_json(const Check& check, const Design& design) {
   const auto add = [&](const char* key, const auto& section) {
     if (section) result[key] = to_json(*section);
   };
+  add("repair", check.repair);
   add("stands", check.stands);
   add("forgives", check.forgives);
   add("comes_back", check.comes_back);

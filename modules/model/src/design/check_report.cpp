@@ -7,6 +7,8 @@
 #include <tencer/model/check.hpp>
 #include <tencer/model/units.hpp>
 
+#include "words.hpp"
+
 namespace tencer::model {
 namespace {
 
@@ -44,6 +46,10 @@ void add_shortfalls(const Stands& stands, const Words& words, Reasons& reasons) 
   add_if(stands.rests && !stands.certified, "stands: it does not stand in this pose", reasons);
   for (const std::string& group : stands.free_groups)
     reasons.push_back("stands: " + group + " at no cost");
+}
+
+void add_shortfalls(const Repair& repair, const Words&, Reasons& reasons) {
+  add_if(!repair.problem.empty(), "repair: not possible: " + repair.problem, reasons);
 }
 
 std::string errors_words(const Forgives& forgives, double times, const Words& words) {
@@ -108,6 +114,17 @@ void add_shortfalls(const Converged& converged, const Words& words, Reasons& rea
   const std::string finer = "converged: with " + std::to_string(last.times) + " edges for each ";
   reasons.push_back(finer + (last.settles ? "the pose still moves by " + words.mm(last.moved)
                                           : "it does not come to rest"));
+}
+
+std::string line(const Repair& repair, const Words& words) {
+  if (!repair.problem.empty()) return "repair: none";
+  if (repair.cables == 0) return "repair: none needed, nothing moves at no cost";
+  const int last = repair.first_cable + repair.cables - 1;
+  return "repair: " + counted(repair.cables, "cable") + " added (" +
+         std::to_string(repair.first_cable) +
+         (repair.cables > 1 ? " to " + std::to_string(last) : std::string()) + "), pulling with " +
+         words.newtons(repair.least_tension) + " to " + words.newtons(repair.most_tension) +
+         "; with them the pose moves by " + words.mm(repair.moved);
 }
 
 std::string line(const Stands& stands, const Words& words) {
@@ -219,6 +236,7 @@ std::string line(const Converged& converged, const Words& words) {
 std::vector<std::string> shortfalls(const Check& check, const CheckUnits& units) {
   const Words words(units);
   Reasons reasons;
+  if (check.repair) add_shortfalls(*check.repair, words, reasons);
   if (check.stands) add_shortfalls(*check.stands, words, reasons);
   if (check.forgives) add_shortfalls(*check.forgives, words, reasons);
   if (check.comes_back) add_shortfalls(*check.comes_back, words, reasons);
@@ -231,6 +249,7 @@ std::vector<std::string> shortfalls(const Check& check, const CheckUnits& units)
 std::string lines(const Check& check, const CheckUnits& units) {
   const Words words(units);
   std::string text;
+  if (check.repair) text += line(*check.repair, words) + '\n';
   if (check.stands) text += line(*check.stands, words) + '\n';
   if (check.forgives) text += line(*check.forgives, words) + '\n';
   if (check.comes_back) text += line(*check.comes_back, words) + '\n';

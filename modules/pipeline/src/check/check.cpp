@@ -5,6 +5,7 @@
 #include <tencer/pipeline/simulate.hpp>
 
 #include "check/pose.hpp"
+#include "check/repair.hpp"
 
 namespace tencer::pipeline {
 
@@ -50,6 +51,17 @@ model::Check quick_check(const model::Design& design, const CheckOptions& option
           .converged = converged(design, options)};
 }
 
+namespace {
+
+core::Expected<Checked> check_repaired(Repaired repaired, CheckOptions options) {
+  options.repair = false;
+  auto result = check(repaired.design, options);
+  if (result) result->check.repair = std::move(repaired.repair);
+  return result;
+}
+
+}  // namespace
+
 core::Expected<Checked> check(const model::Design& design, const CheckOptions& options) {
   options.validate();
   const auto rest = simulate(design, {.solve = {.stop = options.stop}});
@@ -60,6 +72,13 @@ core::Expected<Checked> check(const model::Design& design, const CheckOptions& o
   found.stands = stands(pose, rest->moved_percent / 100 * size_of(design));
   found.stands->rests = rest->usable();
   if (!rest->usable()) return result;
+  if (options.repair) {
+    auto repaired = found.stands->free_groups.empty()
+                        ? Repaired{}
+                        : repair(pose, found.stands->allowed, options);
+    if (repaired.repair.cables > 0) return check_repaired(std::move(repaired), options);
+    found.repair = std::move(repaired.repair);
+  }
   found.forgives = forgives(pose, options);
   // What moves at no cost stays where it is pushed.
   if (found.stands->free_groups.empty()) found.comes_back = comes_back(pose, options);

@@ -6,10 +6,15 @@
 namespace tencer::pipeline {
 namespace {
 
+certify::CableErrors scaled_errors(const RestPose& pose, const model::Forgives& forgives) {
+  const double unit = pose.scaling.scale.length;
+  return {.length = forgives.length_error / unit, .attachment = forgives.attachment_error / unit};
+}
+
 // How some of the structures settle for good, in lengths of the design.
-void settle(const RestPose& pose, const certify::CableErrors& errors, const CheckOptions& options,
-            model::Forgives& result) {
+void settle(const RestPose& pose, const CheckOptions& options, model::Forgives& result) {
   constexpr int draws = 30;
+  const certify::CableErrors errors = scaled_errors(pose, result);
   if (errors.length == 0 && errors.attachment == 0) return;
   const auto settled = certify::settle_draws(pose.structure, pose.state, pose.tensions, errors,
                                              draws, options.seed, options.stop);
@@ -31,7 +36,8 @@ void settle(const RestPose& pose, const certify::CableErrors& errors, const Chec
 
 }  // namespace
 
-std::optional<model::Forgives> forgives(const RestPose& pose, const CheckOptions& options) {
+std::optional<model::Forgives> forgives_linearly(const RestPose& pose,
+                                                 const CheckOptions& options) {
   const double millimetre = millimetre_of(pose.design);
   const double unit = pose.scaling.scale.length;
   model::Forgives result{.length_error = options.length_error_mm * millimetre,
@@ -42,10 +48,8 @@ std::optional<model::Forgives> forgives(const RestPose& pose, const CheckOptions
                          .draws = options.draws};
   const auto response = certify::pose_response(pose.structure, pose.state, pose.tensions);
   if (!response.computed) return std::nullopt;
-  const certify::CableErrors errors{.length = result.length_error / unit,
-                                    .attachment = result.attachment_error / unit};
-  const auto found =
-      certify::tolerance(response, pose.tensions, errors, options.draws, options.seed);
+  const auto found = certify::tolerance(response, pose.tensions, scaled_errors(pose, result),
+                                        options.draws, options.seed);
   result.expected = found.expected * unit;
   result.percentile_95 = found.percentile_95 * unit;
   result.worst = found.worst * unit;
@@ -53,7 +57,12 @@ std::optional<model::Forgives> forgives(const RestPose& pose, const CheckOptions
   result.decisive = found.decisive * unit;
   result.first_slack = found.first_slack;
   result.slack_at = found.slack_at;
-  settle(pose, errors, options, result);
+  return result;
+}
+
+std::optional<model::Forgives> forgives(const RestPose& pose, const CheckOptions& options) {
+  auto result = forgives_linearly(pose, options);
+  if (result) settle(pose, options, *result);
   return result;
 }
 

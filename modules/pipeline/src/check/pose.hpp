@@ -41,6 +41,9 @@ double size_of(const model::Design& design);
 model::Stands stands(const RestPose& pose, double moved);
 
 // Not set where the pose has no first order.
+std::optional<model::Forgives> forgives_linearly(const RestPose& pose, const CheckOptions& options);
+
+// The same, and how some of the draws settle.
 std::optional<model::Forgives> forgives(const RestPose& pose, const CheckOptions& options);
 
 // Not set where the modes to push along are not known.

@@ -17,6 +17,10 @@ struct ForceBalanceOptions {
   int max_added = 40;  // of these cables, orbits counted once
   // Their tension, relative to the mean of the others: enough to pull, too little to move the rods.
   double added_tension = 0.1;
+  // Rods that the balance leaves free to move at no cost are tied first, each group with so many
+  // cables of this tension (EI / L^2); seven hold a body in space that can only be pulled at.
+  int ties = 7;
+  double tie_tension = 1.0;
 
   // Throws std::invalid_argument, naming the field, unless all are positive.
   void validate() const;
@@ -27,6 +31,7 @@ struct ForceBalanceOptions {
 // vertices, and M the metric of balanced_tensions.hpp. Candidates without tension are left out.
 // When the network is not stable there with cables that hardly stretch, those that resist its
 // unstable motions most are added. The result's state is the equilibrium found from problem.start.
+// Cables that problem.structure has come first in the result and stay as they are.
 //
 // symmetry: null, or a group of the structure and the target (problem.symmetry or another);
 // candidates then come with their images, and share their tension. Throws std::invalid_argument for

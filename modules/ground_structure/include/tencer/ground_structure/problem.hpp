@@ -13,7 +13,7 @@ namespace tencer::ground_structure {
 
 // In scaled units (model/scaling.hpp).
 struct Problem {
-  model::Structure structure{};  // the rods with their supports and loads, without cables
+  model::Structure structure{};  // the rods with their supports and loads, usually without cables
   model::State start{};          // the rods at the target
   model::Target target{};
   model::Rules rules{};

@@ -20,6 +20,16 @@ struct Stands {
   std::vector<std::string> free_groups{};  // what moves at no cost, in words
 };
 
+// Cables added for what moves at no cost, the last of the design.
+struct Repair {
+  int cables = 0;  // 0 and no problem: nothing moves at no cost
+  int first_cable = 0;
+  double least_tension = 0.0;  // of these cables: forces
+  double most_tension = 0.0;
+  double moved = 0.0;     // a vertex, from the pose without them: a length
+  std::string problem{};  // why there are none, in words
+};
+
 // What errors of the cables do: of their lengths and of where they are tied along the rods, each
 // independent and uniform up to the largest.
 struct Forgives {
@@ -114,6 +124,7 @@ struct CheckUnits {
 };
 
 struct Check {
+  std::optional<Repair> repair = std::nullopt;  // what follows holds with it
   std::optional<Stands> stands = std::nullopt;
   std::optional<Forgives> forgives = std::nullopt;
   std::optional<ComesBack> comes_back = std::nullopt;

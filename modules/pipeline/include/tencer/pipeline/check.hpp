@@ -23,6 +23,7 @@ struct CheckOptions {
   // Errors are doubled, until a draw falls, up to so many times.
   double most_times = 8;
   std::uint64_t seed = 1;
+  bool repair = false;  // ties what moves at no cost with the fewest cables, and checks that
   std::stop_token stop{};
 
   // Throws std::invalid_argument, naming the field, for values out of range.
@@ -30,8 +31,9 @@ struct CheckOptions {
 };
 
 struct [[nodiscard]] Checked {
-  model::Design design{};  // as it comes to rest from its pose with inextensible cables
-  model::Check check{};    // of that; where it does not come to rest, `stands` alone
+  // As it comes to rest from its pose with inextensible cables, with those of a repair.
+  model::Design design{};
+  model::Check check{};  // of that; where it does not come to rest, `stands` alone
 };
 
 // Of a design at rest in its pose, what a search has to answer for: forgives, clear and converged.
