@@ -1,12 +1,10 @@
 #include "check/repair.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 #include <tencer/certify/free_motions.hpp>
 #include <tencer/ground_structure/candidates.hpp>
 #include <tencer/ground_structure/force_balance.hpp>
-#include <tencer/model/build.hpp>
 #include <tencer/network/rest_length.hpp>
 #include <tencer/pipeline/simulate.hpp>
 #include <tencer/springs/law.hpp>
@@ -75,22 +73,20 @@ class Ties {
     return best;
   }
 
-  // With one added cable after the other left out, the weakest first, as long as the others can do
-  // without.
+  // With fewer of its added cables, as long as the others can do without one of them.
   Found without_idle(Found best) {
-    bool fewer = true;
-    while (fewer && best.cables() > own_cables() + 1) {
+    for (bool fewer = true; fewer;) {
       fewer = false;
       const model::Structure now = model::scaled(best.rest.design.structure, pose_.scaling);
-      for (const int c : weakest_first(best.rest.design)) {
-        Cables others(now.cables.begin() + own_cables(), now.cables.end());
-        others.erase(others.begin() + (c - own_cables()));
-        problem_.candidates = others;
+      const Cables added(now.cables.begin() + own_cables(), now.cables.end());
+      for (std::size_t left_out = 0; left_out < added.size() && added.size() > 1; ++left_out) {
+        problem_.candidates = added;
+        problem_.candidates.erase(problem_.candidates.begin() +
+                                  static_cast<std::ptrdiff_t>(left_out));
         auto next = best_of(best.tension, 1.0);
-        fewer = next && next->cables() < best.cables() && (next->good || !best.good);
-        if (!fewer) continue;
+        if (!next || !better(*next, best) || next->cables() == best.cables()) continue;
         best = std::move(*next);
-        break;
+        fewer = true;
       }
     }
     return best;
@@ -99,6 +95,8 @@ class Ties {
   int own_cables() const { return static_cast<int>(pose_.structure.cables.size()); }
 
  private:
+  static constexpr double weakest = 0.01;  // of the strongest cable's tension
+
   static bool better(const Found& one, const Found& other) {
     return one.good == other.good ? one.cables() < other.cables() : one.good;
   }
@@ -111,14 +109,6 @@ class Ties {
       if (next && (!best || better(*next, *best))) best = std::move(next);
     }
     return best;
-  }
-
-  // Of the added cables.
-  std::vector<int> weakest_first(const model::Design& design) const {
-    std::vector<int> order(design.built.size() - pose_.design.built.size());
-    std::iota(order.begin(), order.end(), own_cables());
-    std::ranges::stable_sort(order, {}, [&](int c) { return design.built[c].tension; });
-    return order;
   }
 
   // Not set: it does not stand so, or is moved too far.
@@ -142,7 +132,7 @@ class Ties {
     const auto tolerated = forgives_linearly(rest_pose(rest->design), quick);
     const auto [least, most] =
         std::ranges::minmax(rest->design.built, {}, &model::BuiltCable::tension);
-    const bool pulls = least.tension >= model::BuildSettings{}.min_tension_ratio * most.tension;
+    const bool pulls = least.tension >= weakest * most.tension;
     const bool forgives = tolerated && tolerated->percentile_95 <= tolerated->max_deviation;
     return Found{.rest = std::move(*rest), .tension = way.tension, .good = pulls && forgives};
   }
