@@ -1,8 +1,29 @@
 #include "command.hpp"
 
 #include <cmath>
+#include <tencer/model/material.hpp>
 
 namespace tencer::app {
+namespace {
+
+// With commas between them.
+std::string material_names() {
+  std::string names;
+  for (const model::Material& material : model::materials())
+    names += (names.empty() ? "" : ", ") + material.name;
+  return names;
+}
+
+CLI::Validator known_material() {
+  return {[](std::string& name) {
+            return model::find_material(name)
+                       ? std::string()
+                       : "there is no '" + name + "'; use one of " + material_names();
+          },
+          "MATERIAL"};
+}
+
+}  // namespace
 
 CLI::Validator positive_number() {
   return {[](std::string& text) {
@@ -31,6 +52,14 @@ CLI::Validator positive_integer() {
             return fine ? std::string() : "expected a positive whole number, found " + text;
           },
           "POSITIVE INTEGER"};
+}
+
+CLI::Option* add_material(CLI::App& command, std::string& material) {
+  return command
+      .add_option("--material", material,
+                  "What rods are made of that say nothing of it: " + material_names())
+      ->check(known_material())
+      ->capture_default_str();
 }
 
 }  // namespace tencer::app

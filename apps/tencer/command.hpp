@@ -33,6 +33,9 @@ CLI::Validator not_negative_number();
 // Likewise of a whole number above zero.
 CLI::Validator positive_integer();
 
+// --material, of what rods are made of that say nothing of it.
+CLI::Option* add_material(CLI::App& command, std::string& material);
+
 // An option whose values are those of an enumeration, by their names in scene files; `hidden` ones
 // are not offered. The help ends with the scene's default.
 template <class Enum>
@@ -51,6 +54,7 @@ CLI::Option* add_choice(CLI::App& command, const std::string& option, std::optio
 
 void add_check(CLI::App& app, Command& chosen);
 void add_design(CLI::App& app, Command& chosen);
+void add_feasible(CLI::App& app, Command& chosen);
 void add_simulate(CLI::App& app, Command& chosen);
 void add_stress(CLI::App& app, Command& chosen);
 void add_study(CLI::App& app, Command& chosen);

@@ -9,6 +9,7 @@
 #include <tencer/model/resolution.hpp>
 #include <tencer/model/units.hpp>
 #include <tencer/pipeline/design.hpp>
+#include <tencer/pipeline/feasible.hpp>
 #include <tencer/pipeline/omissions.hpp>
 #include <utility>
 #include <vector>
@@ -142,6 +143,14 @@ core::Expected<model::Design> make_design(const std::filesystem::path& folder,
   return best;
 }
 
+// What no cables can hold: the proof in place of a design.
+core::Expected<ExitCode> refuse(const std::filesystem::path& folder,
+                                const model::Feasibility& found) {
+  if (const auto error = write_feasibility_files(folder, found)) return *error;
+  std::cout << model::report(found) << "see " << (folder / "picture.svg").string() << '\n';
+  return ExitCode::tolerance_not_reached;
+}
+
 // What the scene needs and what is left out, a line each.
 std::string explanation(const std::vector<pipeline::Feature>& features) {
   std::ostringstream text;
@@ -152,23 +161,6 @@ std::string explanation(const std::vector<pipeline::Feature>& features) {
         text << "  " << std::left << std::setw(19) << feature.name << ' ' << feature.why << '\n';
   }
   return text.str();
-}
-
-// With commas between them.
-std::string material_names() {
-  std::string names;
-  for (const model::Material& material : model::materials())
-    names += (names.empty() ? "" : ", ") + material.name;
-  return names;
-}
-
-CLI::Validator known_material() {
-  return {[](std::string& name) {
-            return model::find_material(name)
-                       ? std::string()
-                       : "there is no '" + name + "'; use one of " + material_names();
-          },
-          "MATERIAL"};
 }
 
 void apply_errors(const DesignRequest& request, model::Scene& scene) {
@@ -197,9 +189,14 @@ core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Lo
   }
 
   const Interrupt interrupt;
-  const auto design =
-      make_design(folder, *scene, request.trade_off,
-                  {.stop = interrupt.token(), .progress = progress_lines(log), .log = log});
+  const auto found = pipeline::feasible(*scene, {.stop = interrupt.token()});
+  if (!found) return found.error();
+  if (found->verdict == model::Verdict::cannot) return refuse(folder, *found);
+  const auto design = make_design(folder, *scene, request.trade_off,
+                                  {.stop = interrupt.token(),
+                                   .progress = progress_lines(log),
+                                   .log = log,
+                                   .feasible_first = false});
   if (!design) return design.error();
 
   std::cout << model::summary(*design);
@@ -223,11 +220,7 @@ void add_design(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<DesignRequest>();
   command->add_option("INPUT", request->input, "Scene (.toml) or target curve")->required();
   command->add_option("-o,--output", request->output, "Folder for the result [INPUT-design]");
-  command
-      ->add_option("--material", request->material,
-                   "What rods are made of that say nothing of it: " + material_names())
-      ->check(known_material())
-      ->capture_default_str();
+  add_material(*command, request->material);
   command->add_flag("--closed", request->closed,
                     "The curves are closed, though their last points do not repeat the first");
   command

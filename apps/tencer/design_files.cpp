@@ -6,6 +6,7 @@
 #include <system_error>
 #include <tencer/io/csv.hpp>
 #include <tencer/io/curve.hpp>
+#include <tencer/io/feasibility.hpp>
 #include <tencer/io/file.hpp>
 #include <tencer/io/trace.hpp>
 #include <vector>
@@ -106,6 +107,13 @@ std::optional<core::Error> write_trade_off(const std::filesystem::path& folder,
   if (auto error = io::write_files(folder, files)) return error;
   made.keep();
   return std::nullopt;
+}
+
+std::optional<core::Error> write_feasibility_files(const std::filesystem::path& folder,
+                                                   const model::Feasibility& feasibility) {
+  return io::write_files(
+      folder, std::vector<io::NamedText>{{"feasible.json", io::feasibility_text(feasibility)},
+                                         {"picture.svg", picture_svg(feasibility)}});
 }
 
 std::string trade_off_table(std::span<const model::Design> designs) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <tencer/core/error.hpp>
 #include <tencer/io/design.hpp>
+#include <tencer/model/feasibility.hpp>
 
 namespace tencer::app {
 
@@ -24,5 +25,9 @@ std::optional<core::Error> write_trade_off(const std::filesystem::path& folder,
 
 // trade-off.csv for the terminal.
 std::string trade_off_table(std::span<const model::Design> designs);
+
+// feasible.json and picture.svg into `folder`, likewise.
+std::optional<core::Error> write_feasibility_files(const std::filesystem::path& folder,
+                                                   const model::Feasibility& feasibility);
 
 }  // namespace tencer::app

@@ -12,6 +12,7 @@ namespace {
 
 constexpr const char* examples = R"(Examples:
   tencer target torus-knot --p 5 --q 3 -o knot.obj   write a target curve
+  tencer feasible knot.obj                           find out whether cables can hold it at all
   tencer design knot.obj -o knot                     design cables that hold a rod in this shape
   tencer simulate knot/design.json                   let the design settle
   tencer check knot/design.json                      find out whether it can be built
@@ -60,6 +61,7 @@ int run(int argc, char** argv) {
 
   Command chosen;
   add_design(app, chosen);
+  add_feasible(app, chosen);
   add_simulate(app, chosen);
   add_check(app, chosen);
   add_target(app, chosen);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <tencer/core/error.hpp>
 #include <tencer/geometry/arc_length.hpp>
+#include <tencer/geometry/measure.hpp>
 #include <vector>
 
 namespace tencer::app {
@@ -129,14 +130,18 @@ Vector3d end_point(const model::Design& design, const springs::End& end) {
   return (1 - at.t) * pose.col(at.edge) + at.t * pose.col((at.edge + 1) % pose.cols());
 }
 
+void add_rod(const geometry::Polyline& curve, int rod, const View& view,
+             std::vector<Piece>& pieces) {
+  for (int i = 0; i < curve.edges(); ++i)
+    pieces.push_back(
+        {view(curve.points.col(i)), view(curve.points.col((i + 1) % curve.vertices())), rod});
+}
+
 std::vector<Piece> pieces_of(const model::Design& design, const View& view) {
   const model::Structure& structure = design.structure;
   std::vector<Piece> pieces;
-  for (int r = 0; r < static_cast<int>(structure.rods.size()); ++r) {
-    const Eigen::Matrix3Xd& pose = design.pose[r];
-    for (Eigen::Index i = 0; i < structure.rods[r].edges(); ++i)
-      pieces.push_back({view(pose.col(i)), view(pose.col((i + 1) % pose.cols())), r});
-  }
+  for (std::size_t r = 0; r < structure.rods.size(); ++r)
+    add_rod(model::pose_curve(design, r), static_cast<int>(r), view, pieces);
   for (const springs::Cable& cable : structure.cables) {
     const Vector3d a = end_point(design, cable.a);
     const Vector3d b = end_point(design, cable.b);
@@ -180,21 +185,93 @@ constexpr const char* styles = R"(<style>
 </style>
 )";
 
+// What all drawings begin with, and the strokes of one.
+std::string drawn(const Frame& frame, const std::string& title, const std::vector<Piece>& pieces) {
+  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " +
+                    number(frame.width) + " " + number(frame.height) + "\" role=\"img\">\n";
+  svg += "<title>" + title + "</title>\n";
+  svg += styles;
+  svg += "<rect class=\"t-paper\" width=\"" + number(frame.width) + "\" height=\"" +
+         number(frame.height) + "\"/>\n<g fill=\"none\">\n";
+  for (const Piece& piece : pieces)
+    svg += drawing(piece, frame.view.magnification_at(piece.depth()));
+  return svg + "</g>\n</svg>\n";
+}
+
+// The motions as they are drawn.
+struct Arrows {
+  Eigen::Matrix3Xd tails{};
+  Eigen::Matrix3Xd tips{};
+  double times = 1;  // enlarged so much
+};
+
+Arrows arrows_of(const model::Feasibility& feasibility) {
+  constexpr int most = 60;         // of a rod
+  constexpr double visible = 0.1;  // of the size: the largest is at least so long
+  double largest = 0;
+  for (const auto& motion : feasibility.motions)
+    largest = std::max(largest, motion.colwise().norm().maxCoeff());
+  const double size = geometry::bounding_box_diagonal(feasibility.targets);
+  Arrows arrows;
+  if (largest > 0) arrows.times = std::max(1.0, visible * size / largest);
+  std::vector<Vector3d> tails;
+  std::vector<Vector3d> tips;
+  for (std::size_t r = 0; r < feasibility.targets.size(); ++r) {
+    const Eigen::Matrix3Xd& points = feasibility.targets[r].points;
+    const Eigen::Index step = (points.cols() + most - 1) / most;
+    for (Eigen::Index i = 0; i < points.cols(); i += step) {
+      tails.emplace_back(points.col(i));
+      tips.emplace_back(points.col(i) + arrows.times * feasibility.motions[r].col(i));
+    }
+  }
+  arrows.tails.resize(3, static_cast<Eigen::Index>(tails.size()));
+  arrows.tips = arrows.tails;
+  for (std::size_t i = 0; i < tails.size(); ++i) {
+    arrows.tails.col(static_cast<Eigen::Index>(i)) = tails[i];
+    arrows.tips.col(static_cast<Eigen::Index>(i)) = tips[i];
+  }
+  return arrows;
+}
+
+// A shaft and two strokes of a head, in the drawing's coordinates.
+void add_arrow(const Vector3d& tail, const Vector3d& tip, std::vector<Piece>& pieces) {
+  constexpr double longest_head = 9;
+  const Vector3d along = tail - tip;
+  const double length = along.head<2>().norm();
+  if (!(length > 0)) return;
+  pieces.push_back({tail, tip});
+  const double part = std::min(longest_head, length / 2) / length;
+  for (const double side : {-0.5, 0.5}) {
+    const Vector3d across(-along.y(), along.x(), 0);
+    pieces.push_back({tip, tip + part * (along + side * across)});
+  }
+}
+
 }  // namespace
 
 std::string picture_svg(const model::Design& design) {
   core::require(!design.structure.rods.empty(), "picture_svg: needs at least one rod");
   const Frame frame = frame_of(all_points(design));
-  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " +
-                    number(frame.width) + " " + number(frame.height) + "\" role=\"img\">\n";
-  svg += "<title>Rods held in shape by " + std::to_string(design.structure.cables.size()) +
-         " cables</title>\n";
-  svg += styles;
-  svg += "<rect class=\"t-paper\" width=\"" + number(frame.width) + "\" height=\"" +
-         number(frame.height) + "\"/>\n<g fill=\"none\">\n";
-  for (const Piece& piece : pieces_of(design, frame.view))
-    svg += drawing(piece, frame.view.magnification_at(piece.depth()));
-  return svg + "</g>\n</svg>\n";
+  return drawn(
+      frame, "Rods held in shape by " + std::to_string(design.structure.cables.size()) + " cables",
+      pieces_of(design, frame.view));
+}
+
+std::string picture_svg(const model::Feasibility& feasibility) {
+  core::require(!feasibility.targets.empty(), "picture_svg: needs at least one rod");
+  const Arrows arrows = arrows_of(feasibility);
+  Eigen::Matrix3Xd points(3, 2 * arrows.tails.cols());
+  points << arrows.tails, arrows.tips;
+  const Frame frame = frame_of(points);
+  std::vector<Piece> pieces;
+  for (std::size_t r = 0; r < feasibility.targets.size(); ++r)
+    add_rod(feasibility.targets[r], static_cast<int>(r), frame.view, pieces);
+  for (Eigen::Index i = 0; i < arrows.tails.cols(); ++i)
+    add_arrow(frame.view(arrows.tails.col(i)), frame.view(arrows.tips.col(i)), pieces);
+  std::ranges::stable_sort(pieces, {}, &Piece::depth);
+  std::string title = "How rods move with all cables tied that are allowed";
+  if (arrows.times > 1) title += ", " + number(arrows.times) + " times as far";
+  return drawn(frame, title, pieces);
 }
 
 }  // namespace tencer::app

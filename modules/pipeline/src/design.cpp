@@ -6,6 +6,7 @@
 #include <tencer/network/settling.hpp>
 #include <tencer/pipeline/check.hpp>
 #include <tencer/pipeline/design.hpp>
+#include <tencer/pipeline/feasible.hpp>
 #include <tencer/pipeline/omissions.hpp>
 #include <tencer/pipeline/symmetry.hpp>
 #include <tencer/sensitivity/distance.hpp>
@@ -72,6 +73,12 @@ core::Expected<Task> begin(const model::Scene& scene, const RunOptions& options)
     task.released = std::move(*released);
   }
   introduce(task, options);
+  if (options.feasible_first) {
+    const auto found = feasible(scene, {.stop = options.stop});
+    if (!found) return found.error();
+    if (found->verdict == model::Verdict::cannot)
+      return core::Error{scene.source, model::reason(*found)};
+  }
   return task;
 }
 

@@ -22,6 +22,9 @@ struct RunOptions {
   std::stop_token stop{};
   network::ProgressSink progress{};  // called by one thread at a time, not always the same one
   core::Log log{};                   // may be empty; called by the thread that designs
+  // Whether to look first if cables can hold the shape (pipeline/feasible.hpp); that they cannot is
+  // an error, before a search that would find nothing.
+  bool feasible_first = true;
 };
 
 // The scene's method: force balance at the target, or dense springs with pruning, greedy removal,

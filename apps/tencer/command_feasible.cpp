@@ -1,0 +1,89 @@
+// tencer feasible INPUT: whether the cables that are allowed can hold a shape at all.
+#include <iostream>
+#include <memory>
+#include <tencer/io/file.hpp>
+#include <tencer/model/resolution.hpp>
+#include <tencer/pipeline/feasible.hpp>
+
+#include "command.hpp"
+#include "design_files.hpp"
+#include "interrupt.hpp"
+#include "scene_input.hpp"
+
+namespace tencer::app {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  tencer feasible curve.obj                  can a rod be held in this shape within 1 % of its size?
+  tencer feasible scene.toml --max-error 0.5
+  tencer feasible curve.obj -o result        also the motion that proves that it cannot, drawn
+
+All cables that are allowed are tied at once, and the rods are let go. Where they come to rest within
+the error, the answer is yes and exit code 0. Where they fall to another shape, no choice of cables
+holds them: the answer is no, exit code 3, and what would mend it is tried. docs/feasible.md says
+more. tencer design asks the same first.)";
+
+struct FeasibleRequest {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  std::string material = model::glass_fibre().name;
+  bool closed = false;
+  std::optional<double> max_error;
+  std::optional<int> cables;
+  double resolution = 1.0;
+};
+
+core::Expected<ExitCode> run_feasible(const FeasibleRequest& request) {
+  auto scene = read_scene_or_curve(
+      request.input,
+      {.material = *model::find_material(request.material), .close = request.closed});
+  if (!scene) return scene.error();
+  if (request.max_error) scene->design.max_error = *request.max_error;
+  if (request.max_error) scene->design.cables.reset();
+  if (request.cables) scene->design.cables = request.cables;
+  *scene = model::at_resolution(*scene, request.resolution);
+  if (!request.output.empty())
+    if (const auto error = io::folder_problem(request.output)) return *error;
+  const Interrupt interrupt;
+  const auto found = pipeline::feasible(*scene, {.stop = interrupt.token()});
+  if (!found) return found.error();
+  if (!request.output.empty())
+    if (const auto error = write_feasibility_files(request.output, *found)) return *error;
+  std::cout << model::report(*found);
+  return found->verdict == model::Verdict::can ? ExitCode::ok : ExitCode::tolerance_not_reached;
+}
+
+}  // namespace
+
+void add_feasible(CLI::App& app, Command& chosen) {
+  CLI::App* command =
+      app.add_subcommand("feasible", "Find out whether cables can hold rods in a shape at all");
+  command->footer(examples);
+  const auto request = std::make_shared<FeasibleRequest>();
+  command->add_option("INPUT", request->input, "Scene (.toml) or target curve")->required();
+  command->add_option("-o,--output", request->output,
+                      "Folder for feasible.json and picture.svg [none]");
+  add_material(*command, request->material);
+  command->add_flag("--closed", request->closed,
+                    "The curves are closed, though their last points do not repeat the first");
+  command
+      ->add_option("--max-error", request->max_error,
+                   "Largest distance to the target, % of its bounding-box diagonal [the scene's, "
+                   "else 1]")
+      ->check(positive_number());
+  command
+      ->add_option("--cables", request->cables,
+                   "As a design is asked for a number of cables: it may be further off")
+      ->check(positive_integer());
+  command
+      ->add_option("--resolution", request->resolution,
+                   "Vertices of every rod, times what the scene has")
+      ->check(positive_number())
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
+  command->callback([&chosen, request] {
+    chosen = [request](const core::Log&) { return run_feasible(*request); };
+  });
+}
+
+}  // namespace tencer::app

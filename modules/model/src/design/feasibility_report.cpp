@@ -1,0 +1,71 @@
+// Feasibility in words.
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+#include <tencer/model/feasibility.hpp>
+
+#include "words.hpp"
+
+namespace tencer::model {
+namespace {
+
+std::string percent(double value) {
+  std::ostringstream text;
+  text << std::setprecision(2) << value << " %";
+  return text.str();
+}
+
+std::string all_cables(const Feasibility& feasibility) {
+  return feasibility.cables == 1 ? "the only cable that is allowed"
+                                 : "all " + std::to_string(feasibility.cables) + " allowed cables";
+}
+
+// Where the rods went, with all cables tied.
+std::string motion(const Feasibility& feasibility) {
+  const bool beyond = !feasibility.rests && feasibility.verdict == Verdict::cannot;
+  return "with " + all_cables(feasibility) + " tied at once the rods " +
+         (beyond ? "move away by more than " : "come to rest ") + percent(feasibility.percent) +
+         (beyond ? " of the target's size" : " of the target's size away");
+}
+
+}  // namespace
+
+std::string reason(const Feasibility& feasibility) {
+  const auto helps = std::ranges::find_if(feasibility.mends, &Mend::helps);
+  std::string text =
+      "cables alone cannot hold this shape: even " + motion(feasibility) + ", lengthening none";
+  if (helps != feasibility.mends.end())
+    return text + "; what would: " + helps->change + " (" + percent(helps->percent) + ")";
+  return text + "; nothing that was tried mends it, tencer feasible says what";
+}
+
+std::string report(const Feasibility& feasibility) {
+  std::ostringstream text;
+  const std::string asked = "within " + percent(feasibility.max_error) + " of its size";
+  switch (feasibility.verdict) {
+    case Verdict::can:
+      text << "can be held: " << motion(feasibility) << ", " << asked << '\n';
+      break;
+    case Verdict::unclear:
+      text << "unclear: " << motion(feasibility) << ", where " << percent(feasibility.max_error)
+           << " is asked; cables of other lengths may come closer, and a design will show it\n";
+      break;
+    case Verdict::cannot:
+      text << "cannot be held " << asked << ": " << motion(feasibility) << '\n'
+           << "  on the way they lose " << percent(100 * feasibility.released)
+           << " of their energy, and no cable is longer there by more than "
+           << percent(100 * feasibility.lengthening)
+           << " of itself: whichever of them are tied, this way is open\n";
+      break;
+  }
+  text << "forces: tensions balance the rods at the target "
+       << (feasibility.unbalanced < 1e-2 ? "" : "only ") << "but for what moves them by "
+       << percent(feasibility.unbalanced) << " of the target's size, to first order\n";
+  for (const std::string& warning : feasibility.warnings) text << "warning: " << warning << '\n';
+  for (const Mend& mend : feasibility.mends)
+    text << (mend.helps ? "would do: " : "would not do: ") << mend.change << "; the rods then rest "
+         << percent(mend.percent) << " away\n";
+  return text.str();
+}
+
+}  // namespace tencer::model

@@ -1,0 +1,25 @@
+// Whether the cables that a scene allows can hold its shape: known in less than a second, before a
+// search that could take minutes to find none.
+#pragma once
+
+#include <stop_token>
+#include <tencer/core/error.hpp>
+#include <tencer/model/feasibility.hpp>
+#include <tencer/model/scene.hpp>
+
+namespace tencer::pipeline {
+
+struct FeasibleOptions {
+  bool mends = true;  // where it cannot or is unclear: whether to try what would mend it
+  std::stop_token stop{};
+};
+
+// See ground_structure/feasibility.hpp. Rods of many vertices are looked at with fewer, and many
+// rods first with cables between neighbours only. `cannot` is said when the rods fall by so much
+// more than the error asked for that no other lengths of the cables bring them back to it: five
+// times as far (with a number of cables asked for, which may be further off, also by a tenth of the
+// target's size). Errors: as prepare().
+core::Expected<model::Feasibility> feasible(const model::Scene& scene,
+                                            const FeasibleOptions& options = {});
+
+}  // namespace tencer::pipeline

@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <tencer/geometry/corners.hpp>
+#include <tencer/ground_structure/feasibility.hpp>
+#include <tencer/ground_structure/neighbours.hpp>
+#include <tencer/model/resolution.hpp>
+#include <tencer/pipeline/feasible.hpp>
+#include <tencer/pipeline/prepare.hpp>
+#include <tencer/sensitivity/distance.hpp>
+#include <utility>
+
+#include "mends.hpp"
+#include "strength.hpp"
+
+namespace tencer::pipeline {
+namespace {
+
+using ground_structure::Problem;
+using model::Feasibility;
+using model::Verdict;
+
+double total_turning(const geometry::Polyline& curve) {
+  const Eigen::Matrix3Xd edges = geometry::edge_vectors(curve).colwise().normalized();
+  double sum = 0;
+  for (Eigen::Index i = curve.closed ? 0 : 1; i < edges.cols(); ++i) {
+    const auto before = edges.col((i + edges.cols() - 1) % edges.cols());
+    sum += std::acos(std::clamp(before.dot(edges.col(i)), -1.0, 1.0));
+  }
+  return sum;
+}
+
+// The scene with as many vertices as tell the verdict, if it has clearly more.
+model::Scene with_few_vertices(const model::Scene& scene) {
+  constexpr double enough = 130;    // of all rods
+  constexpr double max_turn = 0.3;  // of a vertex, radians
+  constexpr int min_vertices = 24;  // of a rod
+  constexpr double worthwhile = 0.8;
+  double vertices = 0;
+  double times = 0;
+  for (std::size_t r = 0; r < scene.target.points.size(); ++r) {
+    const geometry::Polyline curve = target_curve(scene, r);
+    vertices += curve.vertices();
+    const double needed = std::max<double>(min_vertices, total_turning(curve) / max_turn);
+    times = std::max(times, needed / curve.vertices());
+  }
+  times = std::max(times, enough / vertices);
+  return times < worthwhile ? model::at_resolution(scene, times) : scene;
+}
+
+// How many steps of Newton's method may prove that the rods fall. The edges of a rough curve store
+// so much that they take far more, and what is wrong is known.
+int max_iterations(const std::vector<geometry::Polyline>& targets) {
+  return std::ranges::any_of(targets, geometry::is_rough) ? 200 : 800;
+}
+
+double far_percent(const model::DesignSettings& settings) {
+  const double from_error = 5 * settings.max_error;
+  return settings.cables ? std::max(from_error, 10.0) : from_error;
+}
+
+// What a problem's candidates do.
+struct Look {
+  ground_structure::Relaxation relaxation{};
+  ground_structure::TiedRest rest{};
+};
+
+std::optional<Look> look(const Problem& problem, const ground_structure::TiedRestOptions& options) {
+  const equilibrium::System bare(problem.structure);
+  const auto candidates =
+      ground_structure::candidate_orbits(bare, problem.start, problem.candidates, nullptr);
+  auto first = ground_structure::relaxation(bare, problem.start, candidates);
+  if (!first) return std::nullopt;
+  auto rest = ground_structure::tied_rest(problem, candidates, *first, options);
+  return Look{std::move(*first), std::move(rest)};
+}
+
+// With cables between neighbours only where there are many rods: where these are enough, so are
+// all.
+std::optional<Look> look_at_neighbours_first(const Problem& problem,
+                                             const ground_structure::TiedRestOptions& options) {
+  constexpr std::size_t many_rods = 4;
+  if (problem.structure.rods.size() >= many_rods && !problem.rules.pairs) {
+    Problem fewer = problem;
+    fewer.candidates =
+        ground_structure::among_neighbours(problem.candidates, problem.target.points);
+    auto found = look(fewer, options);
+    if (found && found->rest.rests && found->rest.max_percent <= options.near_percent) return found;
+  }
+  return look(problem, options);
+}
+
+Verdict verdict_of(const ground_structure::TiedRest& rest, const model::DesignSettings& settings) {
+  if (rest.rests && rest.max_percent <= settings.max_error) return Verdict::can;
+  return rest.proves_motion() && rest.max_percent > far_percent(settings) ? Verdict::cannot
+                                                                          : Verdict::unclear;
+}
+
+// How each vertex moves from the target, which is where the rods rest best.
+std::vector<Eigen::Matrix3Xd> motions_of(const Problem& problem, const model::State& state,
+                                         double length) {
+  const auto back = sensitivity::deviation(problem.target, state).motion;
+  std::vector<Eigen::Matrix3Xd> motions;
+  for (std::size_t r = 0; r < state.size(); ++r) {
+    const Eigen::Matrix3Xd& target = problem.target.points[r];
+    motions.push_back(length * back.rotation.transpose() * (state[r].x - back.apply(target)));
+  }
+  return motions;
+}
+
+void fill(const Problem& problem, const Look& look, double length, Feasibility& result) {
+  const double diagonal = model::diagonal(problem.target);
+  result.cables = static_cast<int>(problem.candidates.size());
+  result.percent = look.rest.max_percent;
+  result.rests = look.rest.rests;
+  result.released = look.rest.released;
+  result.lengthening = look.rest.lengthening;
+  result.unbalanced = 100 * look.relaxation.largest / diagonal;
+  const double energy = equilibrium::System(problem.structure).energy(problem.start);
+  result.power = energy != 0 ? look.relaxation.power / std::abs(energy) : 0;
+  result.motions = motions_of(problem, look.rest.state, length);
+}
+
+// What does not help need not be proved not to.
+Trial trial_of(const model::Scene& scene, const FeasibleOptions& options) {
+  return [&](const model::Scene& changed) -> std::optional<double> {
+    constexpr int few_iterations = 200;
+    if (options.stop.stop_requested()) return std::nullopt;
+    const auto prepared = prepare(changed);
+    if (!prepared) return std::nullopt;
+    const auto tried =
+        look_at_neighbours_first(prepared->problem, {.near_percent = scene.design.max_error,
+                                                     .max_iterations = few_iterations,
+                                                     .stop = options.stop});
+    return tried ? std::optional(tried->rest.max_percent) : std::nullopt;
+  };
+}
+
+}  // namespace
+
+core::Expected<Feasibility> feasible(const model::Scene& scene, const FeasibleOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const model::Scene coarse = with_few_vertices(scene);
+  const auto prepared = prepare(coarse);
+  if (!prepared) return prepared.error();
+  const Problem& problem = prepared->problem;
+  const double length = prepared->scaling.scale.length;
+  Feasibility result{.name = scene.name,
+                     .length_unit = scene.length_unit,
+                     .max_error = scene.design.max_error,
+                     .targets = target_curves(coarse)};
+  for (const auto& rod : problem.structure.rods) result.vertices += rod.vertices();
+  const auto found =
+      look_at_neighbours_first(problem, {.near_percent = scene.design.max_error,
+                                         .max_iterations = max_iterations(result.targets),
+                                         .stop = options.stop});
+  if (!found)
+    return core::Error{scene.source,
+                       "the rods' stiffness at the target is not finite; space its "
+                       "points more evenly"};
+  fill(problem, *found, length, result);
+  result.verdict = verdict_of(found->rest, scene.design);
+  result.warnings = bend_warnings(coarse, problem.structure, problem.start, length);
+  if (result.verdict != Verdict::can && options.mends)
+    result.mends = try_mends(coarse, trial_of(scene, options));
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace tencer::pipeline
