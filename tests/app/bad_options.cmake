@@ -6,7 +6,7 @@ run_tencer(target ellipse --vertices 24 -o ring.obj)
 expect_status(0)
 
 refused("A subcommand is required" "(see tencer --help)")
-refused("there is no 'desing' here" "use one of design, simulate, " desing ring.obj)
+refused("there is no 'desing' here" "use one of design, feasible, " desing ring.obj)
 refused("INPUT is required" "(see tencer design --help)" design)
 refused("The following argument was not expected: --nosuch" "(see tencer design --help)"
   design ring.obj -o out --nosuch)

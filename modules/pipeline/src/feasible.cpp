@@ -55,8 +55,8 @@ int max_iterations(const std::vector<geometry::Polyline>& targets) {
 }
 
 double far_percent(const model::DesignSettings& settings) {
-  const double from_error = 5 * settings.max_error;
-  return settings.cables ? std::max(from_error, 10.0) : from_error;
+  const double fallen = settings.cables ? 10.0 : 2.0;
+  return std::max(5 * settings.max_error, fallen);
 }
 
 // What a problem's candidates do.

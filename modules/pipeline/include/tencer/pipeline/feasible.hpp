@@ -17,8 +17,8 @@ struct FeasibleOptions {
 // See ground_structure/feasibility.hpp. Rods of many vertices are looked at with fewer, and many
 // rods first with cables between neighbours only. `cannot` is said when the rods fall by so much
 // more than the error asked for that no other lengths of the cables bring them back to it: five
-// times as far (with a number of cables asked for, which may be further off, also by a tenth of the
-// target's size). Errors: as prepare().
+// times as far, and to another shape: by 2 % of the target's size, or by 10 % with a number of
+// cables asked for, which may be further off. Errors: as prepare().
 core::Expected<model::Feasibility> feasible(const model::Scene& scene,
                                             const FeasibleOptions& options = {});
 
