@@ -31,8 +31,9 @@ Check fine() {
                  .strain_limit = 0.01,
                  .tension = 0.05,
                  .cable = 4,
-                 .breaking_load = 0.5,
-                 .sag = 0.3};
+                 .breaking_load = 0.5};
+  check.weight = {.hung = Sag{.deviation = 0.3, .at = {{0, 7}}},
+                  .standing = Sag{.deviation = 2, .at = {{0, 1}, {0, 4}, {1, 5}}, .settled = true}};
   check.clear = {.rods = LeastDistance{2, "rod 0 at 1 cm and rod 0 at 9 cm"},
                  .cable_rod = LeastDistance{0.3, "cable 1 and rod 0 at 4 cm"},
                  .cables = LeastDistance{0.05, "cable 1 and cable 2"}};
@@ -56,7 +57,9 @@ TEST_CASE("what is fine is told in mm, N and per cent, and nothing fails") {
         "largest tension 50 N (cable 4), 10 % of the breaking load 500 N",
         "rod to rod 20 mm (rod 0 at 1 cm and rod 0 at 9 cm), cable to rod 3 mm (cable 1 and "
         "rod 0 at 4 cm), cable to cable 0.5 mm (cable 1 and cable 2), between marks none near",
-        "sags by 3 mm under its own weight", "2 edges for each: moves by 0.1 mm"})
+        "hung from its best place (vertex 7 of rod 0) it sags by 3 mm, standing on three points "
+        "(vertex 1 of rod 0, 4 of rod 0, 5 of rod 1) it sags by 20 mm (let settle)",
+        "2 edges for each: moves by 0.1 mm"})
     CHECK_THAT(text, Contains(part));
   CHECK_THAT(text, !Contains("fails"));
   CHECK(shortfalls(fine(), units).empty());

@@ -78,9 +78,11 @@ TEST_CASE("a glass fibre rod clamped at one end sounds and sags as a beam, in Hz
              WithinRel(3.516015 / (2 * std::numbers::pi) *
                            std::sqrt(bending / (mass * std::pow(length, 4))),
                        2e-3));
-  REQUIRE(check.holds);
-  REQUIRE(check.holds->sag);
-  CHECK_THAT(*check.holds->sag / 100,
+  REQUIRE(check.weight);
+  REQUIRE(check.weight->hung);
+  CHECK(check.weight->held);
+  CHECK_FALSE(check.weight->standing);
+  CHECK_THAT(check.weight->hung->deviation / 100,
              WithinRel(mass * 9.81 * std::pow(length, 4) / (8 * bending), 5e-3));
   REQUIRE(check.forgives);
   CHECK(check.forgives->worst == 0);
@@ -89,6 +91,17 @@ TEST_CASE("a glass fibre rod clamped at one end sounds and sags as a beam, in Hz
   REQUIRE(check.comes_back);
   for (const auto& pushes : check.comes_back->pushes) CHECK(pushes.back == pushes.tried);
   CHECK(model::shortfalls(check, {"cm", "N"}).empty());
+}
+
+TEST_CASE("weight that is among the loads is in the pose") {
+  model::Design design = cantilever();
+  design.structure.line_loads = {{.rod = 0, .force_per_length = {0, 0, -1e-5}}};
+  const auto checked = pipeline::check(design);
+  REQUIRE(checked);
+  REQUIRE(checked->check.weight);
+  CHECK(checked->check.weight->included);
+  CHECK_FALSE(checked->check.weight->hung);
+  CHECK_THAT(model::report(checked->check, {"cm", "N"}), Contains("weight: the pose has it"));
 }
 
 TEST_CASE("a bow's check says the same in cm and mm") {
@@ -100,7 +113,8 @@ TEST_CASE("a bow's check says the same in cm and mm") {
   REQUIRE(mm->check.holds);
   CHECK_THAT(mm->check.holds->tension, WithinRel(cm->check.holds->tension, 1e-6));
   CHECK_THAT(mm->check.holds->strain, WithinRel(cm->check.holds->strain, 1e-6));
-  CHECK_THAT(*mm->check.holds->sag, WithinRel(10 * *cm->check.holds->sag, 1e-5));
+  CHECK_THAT(mm->check.weight->hung->deviation,
+             WithinRel(10 * cm->check.weight->hung->deviation, 1e-5));
   CHECK_THAT(mm->check.stands->hertz[0], WithinRel(cm->check.stands->hertz[0], 1e-5));
   CHECK_THAT(mm->check.forgives->percentile_95,
              WithinRel(10 * cm->check.forgives->percentile_95, 1e-5));

@@ -78,9 +78,19 @@ Json to_json(const Holds& holds) {
   result["tension"] = holds.tension;
   result["cable"] = cable_or_none(holds.cable);
   result["breaking_load"] = holds.breaking_load;
-  if (holds.sag) result["sag"] = *holds.sag;
-  if (holds.sag && holds.hung_rod >= 0)
-    result["hung_from"] = {{"rod", holds.hung_rod}, {"vertex", holds.hung_vertex}};
+  return result;
+}
+
+Json to_json(const Sag& sag) {
+  Json at = Json::array();
+  for (const auto& [rod, vertex] : sag.at) at.push_back({{"rod", rod}, {"vertex", vertex}});
+  return {{"deviation", sag.deviation}, {"at", at}, {"settled", sag.settled}, {"falls", sag.falls}};
+}
+
+Json to_json(const OwnWeight& weight) {
+  Json result{{"included", weight.included}};
+  if (weight.hung) result[weight.held ? "held" : "hung"] = to_json(*weight.hung);
+  if (weight.standing) result["standing"] = to_json(*weight.standing);
   return result;
 }
 
@@ -123,6 +133,7 @@ Json to_json(const Check& check, const Design& design) {
   add("forgives", check.forgives);
   add("comes_back", check.comes_back);
   add("holds", check.holds);
+  add("weight", check.weight);
   add("clear", check.clear);
   add("converged", check.converged);
   return result;

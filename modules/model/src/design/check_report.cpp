@@ -198,12 +198,35 @@ std::string line(const Holds& holds, const Words& words) {
             std::to_string(holds.cable) + "), " +
             Words::percent(holds.tension / holds.breaking_load) + " of the breaking load " +
             words.newtons(holds.breaking_load);
-  if (!holds.sag) return text + "; sag under its own weight not known";
-  text += "; sags by " + words.mm(*holds.sag) + " under its own weight, ";
-  return text + (holds.hung_rod < 0
-                     ? "held as it is"
-                     : "hung from its best place, vertex " + std::to_string(holds.hung_vertex) +
-                           " of rod " + std::to_string(holds.hung_rod));
+  return text;
+}
+
+std::string sag_words(const Sag& sag, const Words& words) {
+  std::string text = sag.falls ? "falls to another pose, " + words.mm(sag.deviation) + " away"
+                               : "sags by " + words.mm(sag.deviation);
+  if (sag.settled && !sag.falls) text += " (let settle)";
+  return text;
+}
+
+std::string place_words(const Sag& sag) {
+  std::string text;
+  for (const auto& [rod, vertex] : sag.at)
+    text += (text.empty() ? "vertex " : ", ") + std::to_string(vertex) + " of rod " +
+            std::to_string(rod);
+  return text;
+}
+
+std::string line(const OwnWeight& weight, const Words& words) {
+  std::string text = "weight: ";
+  if (weight.included) return text + "the pose has it, among the design's loads";
+  text += "left out of the pose; ";
+  if (!weight.hung) return text + "what it does is not known, or it swings on its supports";
+  if (weight.held) return text + "as its supports hold it, it " + sag_words(*weight.hung, words);
+  text += "hung from its best place (" + place_words(*weight.hung) + ") it " +
+          sag_words(*weight.hung, words);
+  return text + (weight.standing ? ", standing on three points (" + place_words(*weight.standing) +
+                                       ") it " + sag_words(*weight.standing, words)
+                                 : std::string(", on three points it does not stand"));
 }
 
 std::string line(const Clear& clear, const Words& words) {
@@ -254,6 +277,7 @@ std::string lines(const Check& check, const CheckUnits& units) {
   if (check.forgives) text += line(*check.forgives, words) + '\n';
   if (check.comes_back) text += line(*check.comes_back, words) + '\n';
   if (check.holds) text += line(*check.holds, words) + '\n';
+  if (check.weight) text += line(*check.weight, words) + '\n';
   if (check.clear) text += line(*check.clear, words) + '\n';
   if (check.converged) text += line(*check.converged, words) + '\n';
   return text;

@@ -47,6 +47,7 @@ model::Check quick_check(const model::Design& design, const CheckOptions& option
   options.validate();
   const RestPose pose = rest_pose(design);
   return {.forgives = forgives(pose, options),
+          .weight = own_weight(pose, options),
           .clear = clear(pose),
           .converged = converged(design, options)};
 }
@@ -83,6 +84,7 @@ core::Expected<Checked> check(const model::Design& design, const CheckOptions& o
   // What moves at no cost stays where it is pushed.
   if (found.stands->free_groups.empty()) found.comes_back = comes_back(pose, options);
   found.holds = holds(pose, options);
+  found.weight = own_weight(pose, options);
   found.clear = clear(pose);
   found.converged = converged(rest->design, options);
   return result;

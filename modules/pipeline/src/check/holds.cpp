@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <tencer/certify/own_weight.hpp>
 #include <tencer/model/material.hpp>
 #include <tencer/model/units.hpp>
 
@@ -8,7 +7,6 @@
 namespace tencer::pipeline {
 
 model::Holds holds(const RestPose& pose, const CheckOptions& options) {
-  constexpr double gravity = 9.81;  // m/s^2
   const model::Design& design = pose.design;
   model::Holds result{
       .material = material_of(design, 0).name,
@@ -31,14 +29,6 @@ model::Holds holds(const RestPose& pose, const CheckOptions& options) {
       result.tension = design.built[c].tension;
       result.cable = c;
     }
-  // Masses are in force s^2 / length^2, so the acceleration is in lengths.
-  const double metre = model::metres(design.length_unit) * pose.scaling.scale.length;
-  const auto sag = certify::own_weight_sag(pose.structure, pose.state, pose.tensions,
-                                           gravity / metre * mass_per_length(pose));
-  if (!sag.computed) return result;
-  result.sag = sag.deviation * pose.scaling.scale.length;
-  result.hung_rod = sag.rod;
-  result.hung_vertex = sag.vertex;
   return result;
 }
 

@@ -51,6 +51,8 @@ std::optional<model::ComesBack> comes_back(const RestPose& pose, const CheckOpti
 
 model::Holds holds(const RestPose& pose, const CheckOptions& options);
 
+model::OwnWeight own_weight(const RestPose& pose, const CheckOptions& options);
+
 model::Clear clear(const RestPose& pose);
 
 // Not set when it was stopped before the first.

@@ -73,7 +73,7 @@ struct ComesBack {
   std::vector<OtherPose> others{};
 };
 
-// Strain, tension and sag against what rods and cables bear.
+// Strain and tension against what rods and cables bear.
 struct Holds {
   double strain = 0.0;  // largest bending strain of a rod, a fraction; of the rod at arc length s
   int rod = -1;         // -1: no rod's section has a shape
@@ -83,11 +83,24 @@ struct Holds {
   double tension = 0.0;       // the largest, a force
   int cable = -1;             // -1: there are none
   double breaking_load = 0.0;
-  // How far it sags under its own weight, hung from vertex hung_vertex of rod hung_rod (-1: as its
-  // supports hold it), a length; not set: not known, or it swings.
-  std::optional<double> sag = std::nullopt;
-  int hung_rod = -1;
-  int hung_vertex = -1;
+};
+
+// How far its own weight moves a structure: the vertex that moves most, a length.
+struct Sag {
+  struct Support {
+    int rod = 0;
+    int vertex = 0;
+  };
+  double deviation = 0.0;
+  std::vector<Support> at{};  // where it hangs, or stands on; none: its own supports hold it
+  bool settled = false;       // where it comes to rest; false: to first order
+  bool falls = false;         // to another pose, so far away
+};
+struct OwnWeight {
+  bool included = false;                   // it is among the design's loads, and the pose has it
+  bool held = false;                       // `hung` is as supports hold it
+  std::optional<Sag> hung = std::nullopt;  // from its best place; not set: not known, or it swings
+  std::optional<Sag> standing = std::nullopt;  // on three vertices; not set: it does not
 };
 
 // The least distance of its kind, and where, in words. Lengths; of rods between their surfaces, so
@@ -129,6 +142,7 @@ struct Check {
   std::optional<Forgives> forgives = std::nullopt;
   std::optional<ComesBack> comes_back = std::nullopt;
   std::optional<Holds> holds = std::nullopt;
+  std::optional<OwnWeight> weight = std::nullopt;
   std::optional<Clear> clear = std::nullopt;
   std::optional<Converged> converged = std::nullopt;
 };

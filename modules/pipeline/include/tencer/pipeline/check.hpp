@@ -36,7 +36,8 @@ struct [[nodiscard]] Checked {
   model::Check check{};  // of that; where it does not come to rest, `stands` alone
 };
 
-// Of a design at rest in its pose, what a search has to answer for: forgives, clear and converged.
+// Of a design at rest in its pose, what a search has to answer for: forgives, clear and converged;
+// and what weight does to it.
 model::Check quick_check(const model::Design& design, const CheckOptions& options);
 
 // Errors: as simulate().
