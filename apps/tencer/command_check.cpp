@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* examples = R"(Examples:
   tencer check knot/design.json                        cables cut to 1 mm and tied to 2 mm
-  tencer check knot/design.json --length-error 0.5 --attachment-error 1 --max-deviation 5
+  tencer check knot/design.json --length-error 0.5 --attachment-error 1 --max-deviation 5mm
   tencer check knot/design.json --json                 for programs
   tencer check knot/design.json -o checked             its files, with the check in design.json
   tencer check knot/design.json --repair -o repaired   what moves at no cost is tied
@@ -27,6 +27,15 @@ struct CheckRequest {
   pipeline::CheckOptions options;
   bool json = false;
 };
+
+CLI::Validator allowance() {
+  return {[](std::string& text) {
+            return model::read_allowance(text)
+                       ? std::string()
+                       : "expected a positive number in %, mm, cm or m, found " + text;
+          },
+          "ALLOWANCE"};
+}
 
 core::Expected<ExitCode> run_check(CheckRequest request) {
   const auto given = io::read_design(request.input);
@@ -70,9 +79,13 @@ void add_check(CLI::App& app, Command& chosen) {
       ->check(not_negative_number())
       ->capture_default_str();
   command
-      ->add_option("--max-deviation", options.max_deviation_mm,
-                   "What 95 % of the structures built so may be off by, mm [1 % of the size]")
-      ->check(positive_number());
+      ->add_option_function<std::string>(
+          "--max-deviation",
+          [&options](const std::string& text) {
+            options.max_deviation = *model::read_allowance(text);
+          },
+          "What 95 % of the structures built so may be off by: 5mm, or 1% of the size [1%]")
+      ->check(allowance());
   command
       ->add_option("--breaking-load", options.breaking_load_newtons,
                    "Of a cable, N; the default is that of a 1 mm wire rope")

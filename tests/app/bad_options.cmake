@@ -29,7 +29,8 @@ foreach(value -1 nan inf some)
   refused("--length-error: " "expected a number that is not negative, found ${value}"
     check design.json --length-error ${value})
 endforeach()
-refused("--max-deviation: " "expected a positive number, found 0" check design.json --max-deviation 0)
+refused("--max-deviation: " "expected a positive number in %, mm, cm or m, found 0"
+  check design.json --max-deviation 0)
 refused("none.json: " "there is no such file" check none.json -o out)
 if(MMA)
   refused("--hessian: " "belongs to the optimizer ipopt"

@@ -56,7 +56,7 @@ if(NOT first STREQUAL again OR first STREQUAL other)
 endif()
 
 # What fails is said, and the exit code says that something does.
-run_tencer(check ring/design.json --max-deviation 0.001 --breaking-load 0.001)
+run_tencer(check ring/design.json --max-deviation 0.001mm --breaking-load 0.001)
 expect_status(3)
 expect_contains("${out}" "fails: forgives: with cables cut to 1 mm and tied to 2 mm it is within ")
 expect_contains("${out}" "fails: holds: cable ")

@@ -43,7 +43,8 @@ TEST_CASE("gaps are those of the scene, and none between layers") {
   REQUIRE(gaps);
   CHECK(gaps->from_axis(1) == 1.5);
   CHECK(gaps->between_marks(1) == 2);
-  CHECK(own->build.max_deviation == 3.0);
+  REQUIRE(own->build.max_deviation);
+  CHECK(own->build.max_deviation->length("cm", 50) == Approx(1.5));
   CHECK(own->build.min_tension_ratio == 0.1);
   CHECK(own->build.min_tension == 4.0);
   const auto layers = scene(folder, "[build]\nlayers = true\n");
@@ -51,11 +52,29 @@ TEST_CASE("gaps are those of the scene, and none between layers") {
   CHECK_FALSE(layers->build.gaps());
 }
 
+TEST_CASE("what errors may do is a length or a part of the target's size, in any unit") {
+  const Folder folder;
+  for (const auto& [text, unit, length] : {std::tuple("'2 mm'", "cm", 0.2),
+                                           {"'0.5cm'", "mm", 5.0},
+                                           {"'0.001 m'", "mm", 1.0},
+                                           {"'2 %'", "cm", 1.0},
+                                           {"2", "m", 1.0},
+                                           {"'2'", "m", 1.0}}) {
+    const auto read = scene(folder, "[build]\nmax_deviation = " + std::string(text) + "\n", unit);
+    REQUIRE(read);
+    REQUIRE(read->build.max_deviation);
+    CHECK(read->build.max_deviation->length(unit, 50) == Approx(length));
+  }
+}
+
 TEST_CASE("settings that make no sense are named") {
   const Folder folder;
   for (const auto& [line, message] :
        {std::pair("length_error = -1", "s.toml:5: build.length_error"),
         {"max_deviation = 0", "s.toml:5: build.max_deviation"},
+        {"max_deviation = '2 inches'",
+         "s.toml:5: build.max_deviation: expected a number, in %, or a length such as \"2 mm\", "
+         "found \"2 inches\""},
         {"min_tension_ratio = 1", "build.min_tension_ratio: must be less than 1"},
         {"layers = 1", "s.toml:5: build.layers"},
         {"clearence = 1", "did you mean clearance?"}}) {
@@ -68,8 +87,8 @@ TEST_CASE("settings that make no sense are named") {
   CHECK_FALSE(settings.problem());
   settings.clearance = -1;
   CHECK(settings.problem() == "clearance must not be negative");
-  settings = {.max_deviation = 0.0};
-  CHECK(settings.problem() == "max_deviation must be a positive number");
+  settings = {.max_deviation = model::Allowance{.amount = 0}};
+  CHECK(settings.problem() == "max_deviation must be a positive number, in %, mm, cm or m");
   settings = {.min_tension_ratio = 1.0};
   CHECK(settings.problem() == "min_tension_ratio must be at least 0 and less than 1");
 }

@@ -196,7 +196,7 @@ TEST_CASE("bows through each other that nothing ties are tied with few cables, w
 
 TEST_CASE("strain, tension and deviation beyond what is allowed fail") {
   const auto checked =
-      pipeline::check(bow(1, "cm"), {.max_deviation_mm = 0.01, .breaking_load_newtons = 1e-3});
+      pipeline::check(bow(1, "cm"), {.max_deviation = {0.01, "mm"}, .breaking_load_newtons = 1e-3});
   REQUIRE(checked);
   const auto fails = model::shortfalls(checked->check, {"cm", "N"});
   const auto named = [&](const std::string& start) {
@@ -208,6 +208,7 @@ TEST_CASE("strain, tension and deviation beyond what is allowed fail") {
 
 TEST_CASE("options out of range are refused") {
   CHECK_THROWS_AS(pipeline::check(cantilever(), {.length_error_mm = -1}), std::invalid_argument);
-  CHECK_THROWS_AS(pipeline::check(cantilever(), {.max_deviation_mm = 0.0}), std::invalid_argument);
+  CHECK_THROWS_AS(pipeline::check(cantilever(), {.max_deviation = {0, "mm"}}),
+                  std::invalid_argument);
   CHECK_THROWS_AS(pipeline::check(cantilever(), {.draws = 0}), std::invalid_argument);
 }

@@ -143,15 +143,13 @@ model::Check check_building(const Task& task, const Design& design, const RunOpt
   const model::Scene& scene = task.scene;
   const double mm = 1000 * model::metres(scene.length_unit);
   // With a number of cables given, the pose may be further from the target than the max error.
-  const double percent = scene.build.max_deviation.value_or(
-      scene.design.cables ? std::max(scene.design.max_error, design.error->max_percent)
-                          : scene.design.max_error);
-  const double size =
-      model::diagonal(task.prepared.problem.target) * task.prepared.scaling.scale.length;
+  const double percent = scene.design.cables
+                             ? std::max(scene.design.max_error, design.error->max_percent)
+                             : scene.design.max_error;
   model::Check check = quick_check(
       design, {.length_error_mm = scene.build.length_error_in(scene.length_unit) * mm,
                .attachment_error_mm = scene.build.attachment_error_in(scene.length_unit) * mm,
-               .max_deviation_mm = percent / 100 * size * mm,
+               .max_deviation = scene.build.max_deviation.value_or(model::Allowance{percent}),
                .draws = draws,
                .most_times = 1,
                .stop = options.stop});

@@ -42,6 +42,12 @@ void apply(const DesignOptions& options, model::DesignSettings& settings) {
   if (options.threads) settings.threads = options.threads;
 }
 
+void apply(const DesignOptions& options, model::BuildSettings& build) {
+  if (options.length_error) build.length_error = options.length_error;
+  if (options.attachment_error) build.attachment_error = options.attachment_error;
+  if (options.max_deviation) build.max_deviation = options.max_deviation;
+}
+
 // Of rods that say none.
 model::Material material_of(const DesignOptions& options) {
   return options.material ? *model::find_material(*options.material) : model::glass_fibre();
@@ -91,6 +97,9 @@ std::optional<std::string> DesignOptions::problem() const {
   if (hessian && optimizer)
     if (const auto wrong = model::hessian_problem(settings.optimizer, settings.hessian))
       return "hessian: " + *wrong;
+  model::BuildSettings build;
+  apply(*this, build);
+  if (auto wrong = build.problem()) return wrong;
   return settings.problem();
 }
 
@@ -101,6 +110,7 @@ void DesignOptions::validate() const {
 core::Expected<model::Scene> with_options(model::Scene scene, const DesignOptions& options) {
   if (const auto wrong = options.problem()) return core::Error{"DesignOptions", *wrong};
   apply(options, scene.design);
+  apply(options, scene.build);
   if (options.hessian)
     if (const auto wrong = model::hessian_problem(scene.design.optimizer, scene.design.hessian))
       return core::Error{"DesignOptions", "hessian: " + *wrong};

@@ -131,10 +131,11 @@ class Stages {
     const model::BuildSettings& build = task_.scene.build;
     const double length = task_.prepared.scaling.scale.length;
     const std::string& unit = task_.scene.length_unit;
-    const double percent = build.max_deviation.value_or(settings_.max_error);
+    const double size = length * model::diagonal(problem_.target);
+    const auto allowed = build.max_deviation.value_or(model::Allowance{settings_.max_error});
     return {.length_error = build.length_error_in(unit) / length,
             .attachment_error = build.attachment_error_in(unit) / length,
-            .max_deviation = percent / 100 * model::diagonal(problem_.target),
+            .max_deviation = allowed.length(unit, size) / length,
             .min_tension_ratio = build.min_tension_ratio,
             .min_tension = build.min_tension.value_or(0.0) / task_.prepared.scaling.scale.force()};
   }

@@ -5,6 +5,7 @@
 #include <tencer/equilibrium/rigid_modes.hpp>
 #include <tencer/ground_structure/candidates.hpp>
 #include <tencer/model/frames.hpp>
+#include <tencer/model/units.hpp>
 #include <tencer/pipeline/prepare.hpp>
 #include <tencer/pipeline/surrounds.hpp>
 #include <tencer/pipeline/symmetry.hpp>
@@ -162,6 +163,12 @@ std::optional<core::Error> check_scene(const model::Scene& scene) {
     return core::Error{scene.source, "design." + *problem};
   if (const auto problem = scene.build.problem())
     return core::Error{scene.source, "build." + *problem};
+  const auto& allowed = scene.build.max_deviation;
+  if (allowed && allowed->unit != "%" &&
+      std::ranges::count(model::length_units(), scene.length_unit) == 0)
+    return core::Error{scene.source,
+                       "build.max_deviation: say it in %, as length_unit is not "
+                       "one that it could be converted to"};
   try {
     model::validate(scene.structure);
     model::validate(scene.target, scene.structure);

@@ -4,6 +4,7 @@
 #include <range/v3/view/zip.hpp>
 #include <tencer/certify/tolerance.hpp>
 #include <tencer/equilibrium/inextensible.hpp>
+#include <tencer/model/build.hpp>
 #include <tencer/model/frames.hpp>
 #include <tencer/model/units.hpp>
 #include <tencer/network/network.hpp>
@@ -20,7 +21,9 @@ std::optional<double> off_by_errors(const Solved& solved, const model::Scaling& 
   if (!response.computed || response.parameters.empty()) return std::nullopt;
   const double millimetre = 1e-3 / model::metres(length_unit) / scaling.scale.length;
   return scaling.scale.length *
-         certify::typical_deviation(response, {.length = millimetre, .attachment = 2 * millimetre});
+         certify::typical_deviation(response,
+                                    {.length = model::usual_length_error_mm * millimetre,
+                                     .attachment = model::usual_attachment_error_mm * millimetre});
 }
 
 }  // namespace

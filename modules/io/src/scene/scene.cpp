@@ -251,12 +251,25 @@ void read_design(const TomlTable& design, Scene& scene) {
   read_forbidden(design, scene);
 }
 
+// A number, in %, or a text with its unit.
+std::optional<model::Allowance> read_allowance(const TomlTable& table, std::string_view key) {
+  if (!table.is_text(key)) {
+    const auto percent = table.positive(key);
+    return percent ? std::optional(model::Allowance{.amount = *percent}) : std::nullopt;
+  }
+  const std::string text = *table.text(key);
+  auto allowance = model::read_allowance(text);
+  if (!allowance)
+    table.fail(key, "expected a number, in %, or a length such as \"2 mm\", found \"" + text + '"');
+  return allowance;
+}
+
 void read_build(const TomlTable& build, model::BuildSettings& settings) {
   build.only({"length_error", "attachment_error", "max_deviation", "clearance", "mark_distance",
               "layers", "min_tension_ratio", "min_tension"});
   settings.length_error = build.at_least_zero("length_error");
   settings.attachment_error = build.at_least_zero("attachment_error");
-  settings.max_deviation = build.positive("max_deviation");
+  settings.max_deviation = read_allowance(build, "max_deviation");
   settings.clearance = build.at_least_zero("clearance");
   settings.mark_distance = build.at_least_zero("mark_distance");
   settings.layers = build.boolean("layers").value_or(settings.layers);

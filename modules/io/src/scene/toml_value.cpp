@@ -79,6 +79,11 @@ bool TomlTable::is_array(std::string_view key) const {
   return node && node->is_array();
 }
 
+bool TomlTable::is_text(std::string_view key) const {
+  const toml::node* node = table_->get(key);
+  return node && node->is_string();
+}
+
 std::optional<bool> TomlTable::boolean(std::string_view key) const {
   const toml::node* node = table_->get(key);
   if (!node) return std::nullopt;

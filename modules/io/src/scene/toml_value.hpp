@@ -33,6 +33,7 @@ class TomlTable {
   }
   bool has(std::string_view key) const { return table_->contains(key); }
   bool is_array(std::string_view key) const;
+  bool is_text(std::string_view key) const;
 
   // Each fails when the key is there with another type or out of its range.
   std::optional<bool> boolean(std::string_view key) const;

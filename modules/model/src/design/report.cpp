@@ -1,6 +1,7 @@
 // Designs in words.
 #include <iomanip>
 #include <sstream>
+#include <tencer/model/build.hpp>
 #include <tencer/model/design.hpp>
 #include <tencer/model/units.hpp>
 
@@ -101,7 +102,8 @@ std::string summary(const Design& design) {
        << ", smallest eigenvalue " << certificate.smallest_eigenvalue << " (" << eigenvalue_unit
        << "), " << counted(certificate.slack_cables, "slack cable") << '\n';
   if (certificate.off_by_errors && !design.check)
-    text << "cables cut to 1 mm and tied to 2 mm: off by about "
+    text << "cables cut to " << usual_length_error_mm << " mm and tied to "
+         << usual_attachment_error_mm << " mm: off by about "
          << millimetres(design, *certificate.off_by_errors) << " mm (tencer check tells more)\n";
   if (certificate.settles_from_target)
     text << (*certificate.settles_from_target
@@ -120,7 +122,7 @@ std::string Design::brief_report() const {
     text << (certificate->stable ? ", stands" : ", does not stand");
     if (certificate->off_by_errors)
       text << ", off by about " << millimetres(*this, *certificate->off_by_errors)
-           << " mm when cut to 1 mm";
+           << " mm when cut to " << usual_length_error_mm << " mm";
     if (certificate->settles_from_target)
       text << (*certificate->settles_from_target ? ", settles from the target"
                                                  : ", settles elsewhere");

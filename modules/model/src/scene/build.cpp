@@ -9,9 +9,9 @@ namespace tencer::model {
 namespace {
 
 // 0 when the unit is not known: then nothing is known of errors in it either.
-double metre_in(std::string_view length_unit) {
+double millimetre_in(std::string_view length_unit) {
   const bool known = std::ranges::find(length_units(), length_unit) != length_units().end();
-  return known ? 1 / metres(length_unit) : 0.0;
+  return known ? 1e-3 / metres(length_unit) : 0.0;
 }
 
 }  // namespace
@@ -26,21 +26,19 @@ std::optional<std::string> BuildSettings::problem() const {
         Named{"clearance", &clearance}, Named{"mark_distance", &mark_distance},
         Named{"min_tension", &min_tension}})
     if (!at_least_zero(*value)) return std::string(name) + " must not be negative";
-  if (max_deviation && !(*max_deviation > 0 && std::isfinite(*max_deviation)))
-    return "max_deviation must be a positive number";
+  if (max_deviation)
+    if (const auto wrong = max_deviation->problem()) return "max_deviation " + *wrong;
   if (!(min_tension_ratio >= 0 && min_tension_ratio < 1))
     return "min_tension_ratio must be at least 0 and less than 1";
   return std::nullopt;
 }
 
 double BuildSettings::length_error_in(std::string_view length_unit) const {
-  constexpr double usual = 1e-3;
-  return length_error.value_or(usual * metre_in(length_unit));
+  return length_error.value_or(usual_length_error_mm * millimetre_in(length_unit));
 }
 
 double BuildSettings::attachment_error_in(std::string_view length_unit) const {
-  constexpr double usual = 2e-3;
-  return attachment_error.value_or(usual * metre_in(length_unit));
+  return attachment_error.value_or(usual_attachment_error_mm * millimetre_in(length_unit));
 }
 
 std::optional<Gaps> BuildSettings::gaps() const {

@@ -48,6 +48,9 @@ struct DesignOptions {
   std::optional<model::SymmetryUse> symmetry{};
   std::optional<std::vector<model::RodPair>> rod_pairs{};
   std::optional<double> longest_cable{};
+  std::optional<double> length_error{};      // cables are cut to this
+  std::optional<double> attachment_error{};  // and tied to this along their rods
+  std::optional<model::Allowance> max_deviation{};
   std::optional<int> threads{};
   double resolution = 1.0;  // vertices of every rod, times what the curves have
   pipeline::RunOptions run{};

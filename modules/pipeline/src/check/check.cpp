@@ -14,8 +14,8 @@ void CheckOptions::validate() const {
   core::require(error(length_error_mm), "CheckOptions::length_error_mm must not be negative");
   core::require(error(attachment_error_mm),
                 "CheckOptions::attachment_error_mm must not be negative");
-  core::require(!max_deviation_mm || (*max_deviation_mm > 0 && std::isfinite(*max_deviation_mm)),
-                "CheckOptions::max_deviation_mm must be positive");
+  if (const auto wrong = max_deviation.problem())
+    throw std::invalid_argument("CheckOptions::max_deviation " + *wrong);
   core::require(breaking_load_newtons > 0 && std::isfinite(breaking_load_newtons),
                 "CheckOptions::breaking_load_newtons must be positive");
   core::require(draws >= 1, "CheckOptions::draws must be at least 1");

@@ -40,12 +40,11 @@ std::optional<model::Forgives> forgives_linearly(const RestPose& pose,
                                                  const CheckOptions& options) {
   const double millimetre = millimetre_of(pose.design);
   const double unit = pose.scaling.scale.length;
-  model::Forgives result{.length_error = options.length_error_mm * millimetre,
-                         .attachment_error = options.attachment_error_mm * millimetre,
-                         .max_deviation = options.max_deviation_mm
-                                              ? *options.max_deviation_mm * millimetre
-                                              : 0.01 * size_of(pose.design),
-                         .draws = options.draws};
+  model::Forgives result{
+      .length_error = options.length_error_mm * millimetre,
+      .attachment_error = options.attachment_error_mm * millimetre,
+      .max_deviation = options.max_deviation.length(pose.design.length_unit, size_of(pose.design)),
+      .draws = options.draws};
   const auto response = certify::pose_response(pose.structure, pose.state, pose.tensions);
   if (!response.computed) return std::nullopt;
   const auto found = certify::tolerance(response, pose.tensions, scaled_errors(pose, result),

@@ -4,18 +4,24 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tencer/model/allowance.hpp>
 #include <tencer/model/rules.hpp>
 
 namespace tencer::model {
 
+// What a workshop does without taking pains: the largest errors of a cable's length and of a mark
+// along its rod, where nobody says others.
+inline constexpr double usual_length_error_mm = 1;
+inline constexpr double usual_attachment_error_mm = 2;
+
 // Lengths and forces are in the scene's units. docs/scene.md says more of each under its name.
 struct BuildSettings {
   // Errors are uniform between plus and minus these.
-  std::optional<double> length_error{};      // of a cable's length; not set: 1 mm
-  std::optional<double> attachment_error{};  // of a mark along its rod; not set: 2 mm
-  // How far the errors may move the pose (95 %), in % of the target's bounding-box diagonal; not
-  // set: as far as the pose may be from the target.
-  std::optional<double> max_deviation{};
+  std::optional<double> length_error{};      // of a cable's length; not set: the usual one
+  std::optional<double> attachment_error{};  // of a mark along its rod; not set: the usual one
+  // How far the errors may move the pose (95 %); not set: as far as the pose may be from the
+  // target.
+  std::optional<Allowance> max_deviation{};
   std::optional<double> clearance{};      // see Gaps
   std::optional<double> mark_distance{};  // likewise
   bool layers = false;  // cables may cross rods: they lie in another layer of a flat structure

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stop_token>
 #include <tencer/core/error.hpp>
+#include <tencer/model/build.hpp>
 #include <tencer/model/check.hpp>
 #include <tencer/model/design.hpp>
 
@@ -12,11 +13,10 @@ namespace tencer::pipeline {
 
 // Lengths in mm, whatever the design's unit.
 struct CheckOptions {
-  double length_error_mm = 1.0;      // of a cable's length, at most
-  double attachment_error_mm = 2.0;  // of where a cable is tied along a rod, at most
-  // What 95 % of the structures built so may be off by; not set: 1 % of the target's bounding-box
-  // diagonal.
-  std::optional<double> max_deviation_mm = std::nullopt;
+  double length_error_mm = model::usual_length_error_mm;  // of a cable's length, at most
+  // Of where a cable is tied along a rod, at most.
+  double attachment_error_mm = model::usual_attachment_error_mm;
+  model::Allowance max_deviation{};  // what 95 % of the structures built so may be off by
   // Of a cable: a 1 mm wire rope (7 x 7) of stainless steel, by a typical table.
   double breaking_load_newtons = 560;
   int draws = 10000;  // of errors, to first order
