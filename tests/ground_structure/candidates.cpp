@@ -103,3 +103,12 @@ TEST_CASE("Cables between held vertices are left out") {
   model.structure.pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = 11}};
   CHECK(candidates(model.structure, model.positions, {})->size() == 55 - 1);
 }
+
+TEST_CASE("Candidates of a rod do not grow with the square of its vertices") {
+  const auto count = [](int vertices) { return problem_of(trefoil(vertices)).candidates.size(); };
+  CHECK(count(400) == 400 * 397 / 2);
+  CHECK(count(4000) == count(400));
+  CHECK(count(4100) < count(400));
+  // Nor of many rods.
+  CHECK(problem_of(chain(6, 500)).candidates.size() <= 1500 * 1500 / 2);
+}

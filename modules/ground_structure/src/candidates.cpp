@@ -25,25 +25,34 @@ bool is_held(const model::Structure& structure, int rod, int vertex) {
   return held[0] && held[1] && held[2];
 }
 
-std::vector<Node> attachable_vertices(const model::Structure& structure,
-                                      const model::Rules& rules) {
+// Cables end at every so many vertices of a rod, so that candidates do not grow with the square of
+// their number.
+std::vector<int> strides(const model::Structure& structure) {
+  constexpr int most_of_rod = 400;
+  constexpr int most_of_all = 1500;
+  int all = 0;
+  for (const auto& rod : structure.rods) all += std::min(rod.vertices(), most_of_rod);
+  std::vector<int> result;
+  for (const auto& rod : structure.rods) {
+    const int kept = std::min(rod.vertices(), most_of_rod);
+    const int most = std::max(2, all > most_of_all ? kept * most_of_all / all : kept);
+    result.push_back((rod.vertices() + most - 1) / most);
+  }
+  return result;
+}
+
+std::vector<Node> attachable_vertices(const model::Structure& structure, const model::Rules& rules,
+                                      const std::vector<int>& strides) {
   const auto along = model::arc_lengths(structure);
   std::vector<Node> nodes;
   for (int rod = 0; rod < static_cast<int>(structure.rods.size()); ++rod) {
-    for (int vertex = 0; vertex < structure.rods[rod].vertices(); ++vertex) {
+    for (int vertex = 0; vertex < structure.rods[rod].vertices(); vertex += strides[rod]) {
       const double s = along[rod].knots()[vertex];
       if (place_allowed(rules, structure, rod, s))
         nodes.push_back({rod, vertex, s, is_held(structure, rod, vertex)});
     }
   }
   return nodes;
-}
-
-bool are_neighbours(const model::Structure& structure, const Node& a, const Node& b) {
-  if (a.rod != b.rod) return false;
-  const auto& rod = structure.rods[a.rod];
-  const int apart = std::abs(a.vertex - b.vertex);
-  return apart == 1 || (rod.closed && apart == rod.vertices() - 1);
 }
 
 std::string name_of(const Node& node) {
@@ -64,7 +73,8 @@ class Collector {
       : structure_(structure),
         positions_(positions),
         rules_(rules),
-        nodes_(attachable_vertices(structure, rules)),
+        strides_(strides(structure)),
+        nodes_(attachable_vertices(structure, rules, strides_)),
         // Lengths change a little until the design is done; this leaves room for it.
         max_length_(0.99 * rules.max_cable_length) {
     for (const auto& rod : structure.rods)
@@ -78,7 +88,7 @@ class Collector {
         const Node& a = nodes_[i];
         const Node& b = nodes_[j];
         if (!pair_allowed(rules_, a.rod, b.rod)) continue;
-        if ((a.held && b.held) || are_neighbours(structure_, a, b)) continue;
+        if ((a.held && b.held) || are_neighbours(a, b)) continue;
         if (!add({.a = springs::OnRod{a.rod, a.s}, .b = springs::OnRod{b.rod, b.s}},
                  (at(b) - at(a)).norm()))
           return coincidence(a, name_of(b), "use a target that keeps clear of itself");
@@ -127,11 +137,19 @@ class Collector {
     return true;
   }
 
+  bool are_neighbours(const Node& a, const Node& b) const {
+    if (a.rod != b.rod) return false;
+    const der::Rod& rod = structure_.rods[a.rod];
+    const int apart = std::abs(a.vertex - b.vertex);
+    return apart <= strides_[a.rod] || (rod.closed && rod.vertices() - apart <= strides_[a.rod]);
+  }
+
   Eigen::Vector3d at(const Node& node) const { return positions_[node.rod].col(node.vertex); }
 
   const model::Structure& structure_;
   const std::vector<Eigen::Matrix3Xd>& positions_;
   const model::Rules& rules_;
+  std::vector<int> strides_;
   std::vector<Node> nodes_;
   double max_length_;
   // Places nearer than this are the same: a cable of such a length has no dependable direction.
