@@ -41,6 +41,13 @@ bool stands_alone(const Eigen::Matrix3Xd& turns, bool closed, Eigen::Index b) {
 
 }  // namespace
 
+double total_turning(const Polyline& curve) {
+  const Eigen::Matrix3Xd turn = turns(curve);
+  double sum = 0;
+  for (Eigen::Index b = 0; b < turn.cols(); ++b) sum += angle_of(turn.col(b));
+  return sum;
+}
+
 std::vector<Corner> corners(const Polyline& curve) {
   constexpr double sharp = 45 * degree;
   constexpr double visible = 20 * degree;

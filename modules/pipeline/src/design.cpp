@@ -2,6 +2,7 @@
 #include <chrono>
 #include <string>
 #include <tencer/model/frames.hpp>
+#include <tencer/model/resolution.hpp>
 #include <tencer/model/units.hpp>
 #include <tencer/network/settling.hpp>
 #include <tencer/pipeline/check.hpp>
@@ -224,7 +225,8 @@ const Design& best_for(const model::Goal& goal, std::span<const Design> designs)
 }
 
 core::Expected<Design> design(const model::Scene& scene, const RunOptions& options) {
-  const auto task = begin(scene, options);
+  const model::Scene enough = model::with_enough_vertices(scene);
+  const auto task = begin(enough, options);
   if (!task) return task.error();
   const Outcome outcome = run_method(*task, false, options);
   if (!outcome.interrupted) return first_answer(*task, outcome, options);
@@ -236,7 +238,8 @@ core::Expected<Design> design(const model::Scene& scene, const RunOptions& optio
 
 core::Expected<std::vector<Design>> trade_off(const model::Scene& scene,
                                               const RunOptions& options) {
-  const auto task = begin(scene, options);
+  const model::Scene enough = model::with_enough_vertices(scene);
+  const auto task = begin(enough, options);
   if (!task) return task.error();
   const Outcome outcome = run_method(*task, true, options);
   std::vector<Design> designs;

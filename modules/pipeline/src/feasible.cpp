@@ -20,16 +20,6 @@ using ground_structure::Problem;
 using model::Feasibility;
 using model::Verdict;
 
-double total_turning(const geometry::Polyline& curve) {
-  const Eigen::Matrix3Xd edges = geometry::edge_vectors(curve).colwise().normalized();
-  double sum = 0;
-  for (Eigen::Index i = curve.closed ? 0 : 1; i < edges.cols(); ++i) {
-    const auto before = edges.col((i + edges.cols() - 1) % edges.cols());
-    sum += std::acos(std::clamp(before.dot(edges.col(i)), -1.0, 1.0));
-  }
-  return sum;
-}
-
 // The scene with as many vertices as tell the verdict, if it has clearly more.
 model::Scene with_few_vertices(const model::Scene& scene) {
   constexpr double enough = 130;    // of all rods
@@ -37,15 +27,17 @@ model::Scene with_few_vertices(const model::Scene& scene) {
   constexpr int min_vertices = 24;  // of a rod
   constexpr double worthwhile = 0.8;
   double vertices = 0;
-  double times = 0;
+  for (const auto& points : scene.target.points) vertices += static_cast<double>(points.cols());
+  bool fewer = false;
+  std::vector<double> times;
   for (std::size_t r = 0; r < scene.target.points.size(); ++r) {
     const geometry::Polyline curve = target_curve(scene, r);
-    vertices += curve.vertices();
-    const double needed = std::max<double>(min_vertices, total_turning(curve) / max_turn);
-    times = std::max(times, needed / curve.vertices());
+    const double needed = std::max<double>(min_vertices, geometry::total_turning(curve) / max_turn);
+    const double part = std::max(enough / vertices, needed / curve.vertices());
+    times.push_back(part < worthwhile ? part : 1.0);
+    fewer = fewer || part < worthwhile;
   }
-  times = std::max(times, enough / vertices);
-  return times < worthwhile ? model::at_resolution(scene, times) : scene;
+  return fewer ? model::at_resolution(scene, times) : scene;
 }
 
 // How many steps of Newton's method may prove that the rods fall. The edges of a rough curve store

@@ -1,8 +1,8 @@
 #include "multilevel/coarsen.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <tencer/geometry/corners.hpp>
 #include <tencer/geometry/sampling.hpp>
 #include <tencer/ground_structure/candidates.hpp>
 #include <utility>
@@ -13,17 +13,6 @@ namespace tencer::elimination {
 namespace {
 
 using ground_structure::Problem;
-
-double total_turning(const Eigen::Matrix3Xd& points, bool closed) {
-  const Eigen::Index n = points.cols();
-  double sum = 0;
-  for (Eigen::Index i = closed ? 0 : 1; i < (closed ? n : n - 1); ++i) {
-    const Eigen::Vector3d before = points.col(i) - points.col((i + n - 1) % n);
-    const Eigen::Vector3d after = points.col((i + 1) % n) - points.col(i);
-    sum += std::atan2(before.cross(after).norm(), before.dot(after));
-  }
-  return sum;
-}
 
 bool may_be_coarse(const model::Structure& structure, int r) {
   const der::Rod& rod = structure.rods[r];
@@ -37,7 +26,7 @@ bool may_be_coarse(const model::Structure& structure, int r) {
 // Edges that are enough: each turns little. Multiples of twelve keep most symmetries.
 int edges_for(const der::Rod& rod, const Eigen::Matrix3Xd& points, const CoarseOptions& options) {
   const int needed =
-      static_cast<int>(std::ceil(total_turning(points, rod.closed) / options.max_turn));
+      static_cast<int>(std::ceil(geometry::total_turning({points, rod.closed}) / options.max_turn));
   return std::max(options.min_edges, (needed + 11) / 12 * 12);
 }
 

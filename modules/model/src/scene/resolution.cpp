@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <tencer/core/error.hpp>
+#include <tencer/geometry/corners.hpp>
 #include <tencer/geometry/sampling.hpp>
 #include <tencer/geometry/spline.hpp>
 #include <tencer/model/resolution.hpp>
@@ -55,7 +56,7 @@ std::map<std::pair<int, int>, Axes> pinned_axes(const std::vector<Pin>& pins) {
   return result;
 }
 
-std::vector<Pin> moved_pins(const Scene& scene, double times) {
+std::vector<Pin> moved_pins(const Scene& scene, const std::vector<double>& times) {
   const auto pinned = pinned_axes(scene.structure.pins);
   std::map<std::pair<int, int>, Axes> moved;
   const auto add = [&](int rod, int vertex, const Axes& axes) {
@@ -64,7 +65,7 @@ std::vector<Pin> moved_pins(const Scene& scene, double times) {
   for (const auto& [place, axes] : pinned) {
     const auto& [rod, vertex] = place;
     const geometry::Polyline curve = target_curve(scene, rod);
-    const int new_edges = scaled_edges(curve, times);
+    const int new_edges = scaled_edges(curve, times[rod]);
     const VertexMap to{curve.edges(), new_edges, curve.closed};
     add(rod, to(vertex), axes);
     const auto next = pinned.find({rod, (vertex + 1) % curve.vertices()});
@@ -81,15 +82,30 @@ std::vector<Pin> moved_pins(const Scene& scene, double times) {
   return pins;
 }
 
+// What of a curve's vertices its bends need: each turns little, which follows the curve to a few
+// millionths of its size.
+int enough_vertices(const geometry::Polyline& curve) {
+  constexpr int enough = 1000;
+  constexpr double slight_turn = 0.03;  // radians
+  return std::max(enough,
+                  static_cast<int>(std::ceil(geometry::total_turning(curve) / slight_turn)));
+}
+
 }  // namespace
 
 Scene at_resolution(const Scene& scene, double times) {
   core::require(times > 0 && std::isfinite(times), "at_resolution: needs a positive factor");
-  if (times == 1) return scene;
+  return at_resolution(scene, std::vector<double>(scene.structure.rods.size(), times));
+}
+
+Scene at_resolution(const Scene& scene, const std::vector<double>& times) {
+  core::require(times.size() == scene.structure.rods.size(),
+                "at_resolution: needs a factor for each rod");
   Scene result = scene;
   std::vector<double> stretch;
-  for (int r = 0; r < static_cast<int>(scene.structure.rods.size()); ++r) {
-    resample(scene, r, times, result);
+  for (int r = 0; r < static_cast<int>(times.size()); ++r) {
+    core::require(times[r] > 0 && std::isfinite(times[r]), "at_resolution: needs positive factors");
+    if (times[r] != 1) resample(scene, r, times[r], result);
     stretch.push_back(result.structure.rods[r].length() / scene.structure.rods[r].length());
   }
   result.structure.pins = moved_pins(scene, times);
@@ -98,6 +114,28 @@ Scene at_resolution(const Scene& scene, double times) {
     arc.from *= stretch[arc.rod];
     arc.to *= stretch[arc.rod];
   }
+  return result;
+}
+
+Scene with_enough_vertices(const Scene& scene) {
+  constexpr double worthwhile = 0.5;
+  std::vector<double> times;
+  std::string note;
+  for (std::size_t r = 0; r < scene.structure.rods.size(); ++r) {
+    const geometry::Polyline curve = target_curve(scene, r);
+    const double part = static_cast<double>(enough_vertices(curve)) / curve.vertices();
+    times.push_back(part < worthwhile ? part : 1.0);
+    if (part < worthwhile)
+      note += (note.empty() ? "" : ", ") + std::string("rod ") + std::to_string(r) + " with " +
+              std::to_string(scaled_edges(curve, part)) + " edges in place of " +
+              std::to_string(curve.edges());
+  }
+  if (note.empty()) return scene;
+  Scene result = at_resolution(scene, times);
+  result.notes.push_back(
+      "more vertices than the bends need, so it is designed with fewer along the "
+      "same curve: " +
+      note);
   return result;
 }
 

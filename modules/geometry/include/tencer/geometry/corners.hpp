@@ -1,10 +1,13 @@
-// Where a polyline does not look like a smooth curve.
+// How a polyline turns, and where it does not look like a smooth curve.
 #pragma once
 
 #include <tencer/geometry/polyline.hpp>
 #include <vector>
 
 namespace tencer::geometry {
+
+// The angles at its vertices, added up; radians.
+double total_turning(const Polyline& curve);
 
 struct Corner {
   int vertex = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <tencer/model/scene.hpp>
+#include <vector>
 
 namespace tencer::model {
 
@@ -11,5 +12,11 @@ namespace tencer::model {
 // nearest of the new ones, and an edge pinned at both ends is pinned all along; what it says by arc
 // length keeps its share of the rod's length. Throws std::invalid_argument unless times > 0.
 Scene at_resolution(const Scene& scene, double times);
+// The same with a factor for each rod.
+Scene at_resolution(const Scene& scene, const std::vector<double>& times);
+
+// Rods that have more than twice as many vertices as their bends need, which is 1000 or one for
+// every 0.03 radians, with as many as that, and a note of it.
+Scene with_enough_vertices(const Scene& scene);
 
 }  // namespace tencer::model

@@ -32,9 +32,10 @@ struct RunOptions {
 // (design.cables, else the fewest cables within design.max_error) is certified in its built form,
 // with inextensible cables, and let go at the target, from where it has to settle into the reported
 // pose; when it fails, the next best are tried. A target in which the rods rest by themselves has a
-// design without cables. Errors name the scene's source and the key: an optimizer that is not in
-// the build, rules that allow no cable, a rod that crosses itself, anchors that do not enclose the
-// target.
+// design without cables. Rods with more vertices than their bends need are designed with fewer
+// (model/resolution.hpp), which the log says. Errors name the scene's source and the key: an
+// optimizer that is not in the build, rules that allow no cable, a rod that crosses itself, anchors
+// that do not enclose the target.
 core::Expected<model::Design> design(const model::Scene& scene, const RunOptions& options = {});
 
 // All numbers of cables on the way down in one run: certified designs, the fewest cables first,
