@@ -112,3 +112,36 @@ TEST_CASE("a rod bent at rest is bent as much at another resolution") {
           Approx(2 * std::atan(5 * pi / 20)).epsilon(0.05));
   }
 }
+
+TEST_CASE("each rod may have a resolution of its own") {
+  const model::Scene scene = ring_and_arch();
+  const model::Scene other = model::at_resolution(scene, std::vector<double>{1, 2});
+  CHECK(other.target.points[0] == scene.target.points[0]);
+  CHECK(other.structure.rods[1].edges() == 40);
+  CHECK_THROWS_AS(model::at_resolution(scene, std::vector<double>{1}), std::invalid_argument);
+  CHECK_THROWS_AS(model::at_resolution(scene, std::vector<double>{1, -1}), std::invalid_argument);
+}
+
+TEST_CASE("a rod has as many vertices as its bends need, which follow the same curve") {
+  const geometry::Polyline ellipse = curves::ellipse(32.5, 25, 20000);
+  model::Scene scene = model::scene_of({ellipse, curves::ellipse(2, 1, 30)});
+  const model::Scene enough = model::with_enough_vertices(scene);
+  CHECK(enough.structure.rods[0].edges() == 1000);
+  CHECK(enough.structure.rods[1].edges() == 30);
+  REQUIRE(enough.notes.size() == scene.notes.size() + 1);
+  CHECK(enough.notes.back().find("rod 0 with 1000 edges in place of 20000") != std::string::npos);
+  for (const auto& point : enough.target.points[0].colwise())
+    CHECK(std::pow(point.x() / 32.5, 2) + std::pow(point.y() / 25, 2) == Approx(1).epsilon(1e-9));
+
+  // Many windings need more; what is not far above that stays as it is.
+  Eigen::Matrix3Xd coil(3, 20000);
+  for (int i = 0; i < coil.cols(); ++i) {
+    const double angle = 40 * 2 * pi * i / 19999;
+    coil.col(i) << std::cos(angle), std::sin(angle), 0.1 * angle;
+  }
+  scene = model::scene_of({{coil, false}});
+  CHECK(model::with_enough_vertices(scene).structure.rods[0].edges() ==
+        Approx(40 * 2 * pi / 0.03).epsilon(0.01));
+  scene = model::scene_of({curves::ellipse(32.5, 25, 1900)});
+  CHECK(model::with_enough_vertices(scene).structure.rods[0].edges() == 1900);
+}
