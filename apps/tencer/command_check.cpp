@@ -49,6 +49,8 @@ core::Expected<ExitCode> run_check(CheckRequest request) {
   if (!request.output.empty()) {
     model::Design design = checked->design;
     design.check = checked->check;
+    if (design.complete() && !model::shortfalls(design).empty())
+      design.status = model::DesignStatus::tolerance_not_reached;
     if (const auto error = write_design_files(request.output, design)) return *error;
   }
   const model::CheckUnits units{checked->design.length_unit, checked->design.force_unit};

@@ -34,7 +34,7 @@ constexpr const char* examples = R"(Examples:
   tencer design scene.toml --explain         first what this scene needs, and what is left out
 
 INPUT is a scene (.toml, see docs/scene.md) or a curve (.obj, .csv, .xyz, .txt, .json). The folder
-gets design.json, trace.csv (error against run time), pose.obj, view.html and picture.svg. With
+gets design.json, trace.csv (error against run time), pose.obj, report.txt, view.html and picture.svg. With
 --trade-off these are of the fewest cables within the max error (or of the closest design), and
 trade-off.csv and a folder for each number of cables, such as cables-8/, come to them. Options go
 before what the scene says; --max-error and --trade-off also before its number of cables. Ctrl-C ends

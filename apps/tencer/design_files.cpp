@@ -23,11 +23,9 @@ std::vector<io::NamedText> files_of(const model::Design& design) {
   std::vector<geometry::Polyline> poses;
   for (std::size_t r = 0; r < design.pose.size(); ++r)
     poses.push_back(model::pose_curve(design, r));
-  return {{"design.json", io::design_text(design)},
-          {"trace.csv", io::trace_text(design.trace)},
-          {"pose.obj", io::obj_text(poses)},
-          {"view.html", view_page(design)},
-          {"picture.svg", picture_svg(design)}};
+  return {{"design.json", io::design_text(design)}, {"trace.csv", io::trace_text(design.trace)},
+          {"pose.obj", io::obj_text(poses)},        {"report.txt", model::findings(design)},
+          {"view.html", view_page(design)},         {"picture.svg", picture_svg(design)}};
 }
 
 std::string trade_off_csv(std::span<const model::Design> designs) {

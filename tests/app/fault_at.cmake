@@ -3,7 +3,7 @@
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/run_tencer.cmake)
 
-set(files design.json trace.csv pose.obj view.html picture.svg)
+set(files design.json trace.csv pose.obj report.txt view.html picture.svg)
 # Rods that rest by themselves: designed at once.
 file(WRITE ${WORK}/old.xyz "0 0 0\n1 0 0\n2 0 0\n3 0 0\n")
 file(WRITE ${WORK}/new.xyz "0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 0\n5 0 0\n")

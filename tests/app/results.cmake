@@ -4,7 +4,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/run_tencer.cmake)
 
 run_tencer(target ellipse --vertices 30 -o ring.obj)
 expect_status(0)
-set(files design.json trace.csv pose.obj view.html picture.svg)
+set(files design.json trace.csv pose.obj report.txt view.html picture.svg)
 
 function(fingerprints folder result)
   file(GLOB names RELATIVE ${WORK}/${folder} ${WORK}/${folder}/* ${WORK}/${folder}/.*)

@@ -4,7 +4,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/run_tencer.cmake)
 
 run_tencer(target trefoil-2-3 --vertices 60 -o knot.obj)
 expect_status(0)
-set(files design.json trace.csv pose.obj view.html picture.svg)
+set(files design.json trace.csv pose.obj report.txt view.html picture.svg)
 
 # The number of cables in a design.
 function(count_cables design result)

@@ -32,7 +32,7 @@ const page = (() => {
     document.title = title;
     byId('name').textContent = title;
     const warnings = {
-      'tolerance-not-reached': 'This design did not reach the error that was asked for.',
+      'tolerance-not-reached': 'This design falls short of what was asked for.',
       interrupted: 'The search was interrupted; this is the best design until then.',
     };
     if (warnings[design.status]) {
@@ -54,11 +54,30 @@ const page = (() => {
     }
     const certificate = design.certificate;
     if (!certificate) return add('certificate', 'none');
-    add('built form', certificate.stable ? 'stable' : 'not stable', certificate.stable ? 'good' : 'bad');
+    const passed = design.check && design.check.passed && design.check.stands;
+    add('in this pose', certificate.stable ? 'it stands' : 'it does not stand',
+      certificate.stable ? (passed ? 'good' : '') : 'bad');
     add('slack cables', certificate.slack_cables, certificate.slack_cables ? 'bad' : '');
     add('smallest eigenvalue',
       `${significant(certificate.smallest_eigenvalue, 3)} ${certificate.eigenvalue_unit || ''}`);
     add('residual', significant(certificate.residual, 2));
+  }
+
+  // What the check says, a line a section; good is only what it passed.
+  function check() {
+    const list = byId('check');
+    const add = (section, text, className) =>
+      list.append(element('dt', section, className), element('dd', text));
+    const found = design.check ? design.check.lines : [];
+    const sections = ['stands', 'forgives', 'comes back', 'holds', 'weight', 'clear', 'converged'];
+    const told = ['repair', 'weight']; // for people to judge
+    found.forEach((line) =>
+      add(line.section, line.text, line.fails ? 'bad' : told.includes(line.section) ? '' : 'good'));
+    // Whether it stands is among the facts anyway.
+    const missing = sections.filter((name) => !found.some((line) => line.section === name) &&
+      !(name === 'stands' && design.certificate));
+    if (missing.length) add(missing.join(', '), 'not looked at; tencer check does');
+    (design.check ? design.check.fails : []).forEach((fail) => add('fails', fail, 'bad'));
   }
 
   function row(cells, tag, textColumns) {
@@ -122,6 +141,7 @@ const page = (() => {
   }
 
   facts();
+  check();
   const rows = cutList();
   marks();
   return { design, byId, element, rodName, anchorName, tension, description, rows };

@@ -123,6 +123,10 @@ Json to_json(const Check& check, const Design& design) {
   Json result;
   result["passed"] = fails.empty();
   result["fails"] = fails;
+  Json lines = Json::array();
+  for (const CheckLine& line : sections(check, {design.length_unit, design.force_unit}))
+    lines.push_back({{"section", line.section}, {"text", line.text}, {"fails", line.fails}});
+  result["lines"] = lines;
   result["length_unit"] = design.length_unit;
   result["force_unit"] = design.force_unit;
   const auto add = [&](const char* key, const auto& section) {

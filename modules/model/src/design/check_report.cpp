@@ -52,6 +52,9 @@ void add_shortfalls(const Repair& repair, const Words&, Reasons& reasons) {
   add_if(!repair.problem.empty(), "repair: not possible: " + repair.problem, reasons);
 }
 
+// What it does is told, for people to judge.
+void add_shortfalls(const OwnWeight&, const Words&, Reasons&) {}
+
 std::string errors_words(const Forgives& forgives, double times, const Words& words) {
   return "cables cut to " + words.mm(times * forgives.length_error) + " and tied to " +
          words.mm(times * forgives.attachment_error);
@@ -269,17 +272,32 @@ std::vector<std::string> shortfalls(const Check& check, const CheckUnits& units)
   return reasons;
 }
 
-std::string lines(const Check& check, const CheckUnits& units) {
+std::vector<CheckLine> sections(const Check& check, const CheckUnits& units) {
   const Words words(units);
+  std::vector<CheckLine> result;
+  const auto add = [&](const auto& section) {
+    if (!section) return;
+    const std::string said = line(*section, words);
+    const auto colon = said.find(": ");
+    Reasons reasons;
+    add_shortfalls(*section, words, reasons);
+    result.push_back({said.substr(0, colon), said.substr(colon + 2), !reasons.empty()});
+  };
+  add(check.repair);
+  add(check.stands);
+  add(check.forgives);
+  add(check.comes_back);
+  add(check.holds);
+  add(check.weight);
+  add(check.clear);
+  add(check.converged);
+  return result;
+}
+
+std::string lines(const Check& check, const CheckUnits& units) {
   std::string text;
-  if (check.repair) text += line(*check.repair, words) + '\n';
-  if (check.stands) text += line(*check.stands, words) + '\n';
-  if (check.forgives) text += line(*check.forgives, words) + '\n';
-  if (check.comes_back) text += line(*check.comes_back, words) + '\n';
-  if (check.holds) text += line(*check.holds, words) + '\n';
-  if (check.weight) text += line(*check.weight, words) + '\n';
-  if (check.clear) text += line(*check.clear, words) + '\n';
-  if (check.converged) text += line(*check.converged, words) + '\n';
+  for (const CheckLine& line : sections(check, units))
+    text += line.section + ": " + line.text + '\n';
   return text;
 }
 

@@ -130,17 +130,20 @@ std::string Design::brief_report() const {
   return text.str();
 }
 
-std::string Design::full_report() const {
-  std::string text = (name.empty() ? "design" : name) + ": " + status_words(status) + '\n';
-  if (goal) text += "asked for: " + goal_words(*goal) + '\n';
-  for (const std::string& reason : shortfalls(*this)) text += "falls short: " + reason + '\n';
-  if (status == DesignStatus::interrupted)
+std::string findings(const Design& design) {
+  std::string text =
+      (design.name.empty() ? "design" : design.name) + ": " + status_words(design.status) + '\n';
+  if (design.goal) text += "asked for: " + goal_words(*design.goal) + '\n';
+  for (const std::string& reason : shortfalls(design)) text += "falls short: " + reason + '\n';
+  if (design.status == DesignStatus::interrupted)
     text += "interrupted: this is the best design so far\n";
-  else if (structure.cables.empty() && complete())
+  else if (design.structure.cables.empty() && design.complete())
     text += "the rods rest in this shape by themselves\n";
-  text += summary(*this);
-  if (!trace.empty()) text += stage_table(trace);
-  return text;
+  return text + summary(design);
+}
+
+std::string Design::full_report() const {
+  return findings(*this) + (trace.empty() ? std::string() : stage_table(trace));
 }
 
 }  // namespace tencer::model

@@ -150,10 +150,18 @@ struct Check {
 // What fails, a clause each that starts with the section: "forgives: ..."; none: nothing does.
 std::vector<std::string> shortfalls(const Check& check, const CheckUnits& units);
 
-// A line for each section, lengths in mm and forces in N.
+// A section in a line: what it says, lengths in mm and forces in N, and whether it fails.
+struct CheckLine {
+  std::string section{};  // "forgives"
+  std::string text{};
+  bool fails = false;
+};
+std::vector<CheckLine> sections(const Check& check, const CheckUnits& units);
+
+// The same, as lines of a report: "forgives: ...".
 std::string lines(const Check& check, const CheckUnits& units);
 
-// The same, and "fails: ..." for each shortfall.
+// lines(), and "fails: ..." for each shortfall.
 std::string report(const Check& check, const CheckUnits& units);
 
 }  // namespace tencer::model

@@ -56,8 +56,7 @@ struct Design {
 
   // One line: whether it is complete, how many cables, how close, whether it stands.
   std::string brief_report() const;
-  // Several lines: what was asked for and why the search ended so, the cables, the error, the
-  // certificate, and the stages with their times.
+  // Several lines: its findings, and the stages with their times.
   std::string full_report() const;
 };
 
@@ -67,6 +66,9 @@ std::vector<std::string> shortfalls(const Design& design);
 
 // The cables, the error and the certificate in words, a line each.
 std::string summary(const Design& design);
+
+// What was asked for, whether the design is that, and if not why, and its summary.
+std::string findings(const Design& design);
 
 // What a goal judges of a design that has an error.
 Score score_of(const Design& design);
