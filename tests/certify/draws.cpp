@@ -1,4 +1,5 @@
 // Structures with errors: near the pose as to first order, and falling where their path turns.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <tencer/certify/draws.hpp>
@@ -78,4 +79,13 @@ TEST_CASE("an arch falls with the error at which its path turns") {
     fallen += draw.falls_at ? 1 : 0;
   CHECK(fallen >= 1);
   CHECK(fallen < draws);
+
+  for (const double times : {1.0, 0.9 * *first.times, 1.05 * *first.times}) {
+    const certify::CableErrors larger{.length = times * error};
+    const auto settled =
+        certify::settle_draws(arch.structure, arch.state, arch.tensions, larger, draws, 1);
+    CHECK(certify::all_keep_their_paths(arch.structure, arch.state, arch.tensions, larger, draws,
+                                        1) ==
+          std::ranges::all_of(settled, &certify::Draw::keeps_its_path));
+  }
 }

@@ -173,3 +173,24 @@ TEST_CASE("a candidate's price is the slope of the distance in its tension") {
     CHECK(with.value() < network.value());
   }
 }
+
+TEST_CASE(
+    "a brace takes most of what errors do to the soft modes, or the compliance without errors") {
+  const bool with_errors = GENERATE(true, false);
+  Requirements requirements = balanced().requirements();
+  if (with_errors) requirements.workmanship = {.length_error = 1e-4, .attachment_error = 2e-4};
+  FittedNetwork network = fitted(balanced().objective(), requirements);
+  REQUIRE(network.usable());
+  const auto motion = [&](const FittedNetwork& of) {
+    return with_errors ? of.errors().covariance.trace() : of.soft().values.cwiseInverse().sum();
+  };
+  const auto braces = elimination::best_braces(network, balanced().problem.candidates, 3, {});
+  REQUIRE(braces.size() == 3);
+  for (const auto& brace : braces) {
+    CHECK(brace.tension > 0);
+    FittedNetwork with(elimination::with_insertion(balanced().network, brace, 1.0), requirements,
+                       balanced().objective(), {}, {});
+    REQUIRE(with.usable());
+    CHECK(motion(with) < motion(network));
+  }
+}

@@ -78,7 +78,7 @@ TEST_CASE("What is said to settle from the target does, with inextensible cables
   const EliminationResult result = search(problem, seeds, {.goal = {.max_error_percent = 1.0}});
   int settling = 0;
   for (const elimination::Solution& solution : result.solutions) {
-    if (!solution.standing.settles) continue;
+    if (solution.standing.footing == model::Footing::none) continue;
     ++settling;
     model::Structure built = solution.network.structure;
     const Eigen::VectorXd lengths = cable_lengths(solution.network);

@@ -3,6 +3,7 @@
 #include <tencer/model/goal.hpp>
 #include <vector>
 
+using tencer::model::Footing;
 using tencer::model::Goal;
 using tencer::model::Score;
 
@@ -30,28 +31,30 @@ TEST_CASE("with a number of cables the closest of those that have few enough is 
   CHECK(eight.pick(std::vector<Score>{{9, 3.0}, {12, 0.1}}) == 0);
 }
 
-TEST_CASE("what settles is preferred, with a number of cables up to twice the distance") {
-  const Score near{8, 1.0, false};
+TEST_CASE("what stands is preferred, with a number of cables up to twice the distance") {
+  const Score near{8, 1.0, Footing::none};
   const Goal eight{.cables = 8};
-  CHECK(eight.prefers_standing({8, 2.0, true}, near));
-  CHECK_FALSE(eight.prefers_standing({8, 2.1, true}, near));
+  CHECK(eight.prefers_footing({8, 2.0, Footing::stands}, near));
+  CHECK_FALSE(eight.prefers_footing({8, 2.1, Footing::stands}, near));
   const Goal within{.max_error_percent = 1.0};
-  CHECK(within.prefers_standing({20, 0.9, true}, near));
-  CHECK_FALSE(within.prefers_standing({20, 1.1, true}, near));
+  CHECK(within.prefers_footing({20, 0.9, Footing::stands}, near));
+  CHECK_FALSE(within.prefers_footing({20, 1.1, Footing::stands}, near));
 }
 
-TEST_CASE("an answer improves on another by settling, then by fewer cables, then by 3 % at least") {
+TEST_CASE(
+    "an answer improves on another by its footing, then by fewer cables, then by 3 % at least") {
   const Goal within{.max_error_percent = 1.0};
-  CHECK(within.improves({9, 0.9, true}, {7, 0.5, false}));
-  CHECK_FALSE(within.improves({7, 0.5, false}, {9, 0.9, true}));
-  CHECK_FALSE(within.improves({9, 1.5, true}, {7, 0.5, false}));  // settles, but is too far away
-  CHECK(within.improves({6, 0.99, true}, {7, 0.1, true}));
-  CHECK_FALSE(within.improves({7, 0.1, true}, {6, 0.99, true}));
-  CHECK(within.improves({7, 0.96, true}, {7, 1.0, true}));
-  CHECK_FALSE(within.improves({7, 0.98, true}, {7, 1.0, true}));
+  CHECK(within.improves({9, 0.9, Footing::stands}, {7, 0.5, Footing::none}));
+  CHECK_FALSE(within.improves({7, 0.5, Footing::none}, {9, 0.9, Footing::stands}));
+  CHECK_FALSE(within.improves({9, 1.5, Footing::stands},
+                              {7, 0.5, Footing::none}));  // stands, but is too far away
+  CHECK(within.improves({6, 0.99, Footing::stands}, {7, 0.1, Footing::stands}));
+  CHECK_FALSE(within.improves({7, 0.1, Footing::stands}, {6, 0.99, Footing::stands}));
+  CHECK(within.improves({7, 0.96, Footing::stands}, {7, 1.0, Footing::stands}));
+  CHECK_FALSE(within.improves({7, 0.98, Footing::stands}, {7, 1.0, Footing::stands}));
   const Goal eight{.cables = 8};
-  CHECK_FALSE(eight.improves({6, 1.0, true}, {8, 1.0, true}));
-  CHECK(eight.improves({8, 0.9, true}, {6, 1.0, true}));
+  CHECK_FALSE(eight.improves({6, 1.0, Footing::stands}, {8, 1.0, Footing::stands}));
+  CHECK(eight.improves({8, 0.9, Footing::stands}, {6, 1.0, Footing::stands}));
 }
 
 TEST_CASE("a goal that makes no sense is refused by the name of its field") {

@@ -24,6 +24,7 @@ struct Built {
   const model::Target& pose;
   const std::vector<springs::Parameter>& parameters;
   const Eigen::VectorXd& errors;  // per parameter
+  const equilibrium::PathOptions& options;
 
   model::Structure with(double part) const {
     constexpr double least_length = 1e-6;
@@ -40,16 +41,17 @@ struct Built {
 
 // In equal stages from no errors to all. Within a stage the places where cables are tied jump, and
 // the forces that then lack fade.
-Draw follow(const Built& built, int stages, const std::stop_token& stop) {
+Draw follow(const Built& built, int stages) {
   model::State state = built.state;
   Eigen::VectorXd tensions = built.tensions;
   Draw draw;
   for (int k = 0; k < stages && draw.rests && draw.followed && !draw.falls_at; ++k) {
     auto found = equilibrium::settle_along(built.with((k + 1.0) / stages), std::move(state),
-                                           tensions, {.solve = {.stop = stop}});
+                                           tensions, built.options);
     draw.rests = found.rest.equilibrium.usable();
     draw.followed = found.held;
     if (found.fold_at) draw.falls_at = (k + *found.fold_at) / stages;
+    if (!draw.rests) return draw;
     state = std::move(found.rest.equilibrium.state);
     tensions = found.rest.tensions.cwiseMax(0);
   }
@@ -57,20 +59,20 @@ Draw follow(const Built& built, int stages, const std::stop_token& stop) {
   return draw;
 }
 
-// All at once, or in so many stages that a jump of the places is not taken for a fall.
-Draw settle(const Built& built, bool places_move, const std::stop_token& stop) {
-  Draw draw = follow(built, 1, stop);
+// All at once; a fall is one only if it is also one in so many stages that the places jump little,
+// and that no step comes down on another branch of poses close by.
+Draw settle(const Built& built) {
+  Draw draw = follow(built, 1);
   for (const int stages : {4, 16})
-    if (places_move && (!draw.rests || !draw.followed || draw.falls_at))
-      draw = follow(built, stages, stop);
+    if (!draw.keeps_its_path()) draw = follow(built, stages);
   return draw;
 }
 
-}  // namespace
-
-std::vector<Draw> settle_draws(const model::Structure& structure, const model::State& state,
-                               const Eigen::VectorXd& tensions, const CableErrors& errors,
-                               int draws, std::uint64_t seed, const std::stop_token& stop) {
+// Draws one after the other, until visit(draw) is false.
+template <class Visit>
+void each_draw(const model::Structure& structure, const model::State& state,
+               const Eigen::VectorXd& tensions, const CableErrors& errors, int draws,
+               std::uint64_t seed, const equilibrium::PathOptions& options, Visit&& visit) {
   const auto parameters = all_parameters(structure.cables);
   const Eigen::MatrixXd units = unit_draws(static_cast<int>(parameters.size()), draws, seed);
   Eigen::VectorXd limits(units.rows());
@@ -78,13 +80,36 @@ std::vector<Draw> settle_draws(const model::Structure& structure, const model::S
   std::vector<Eigen::Matrix3Xd> points;
   for (const auto& rod : state) points.push_back(rod.x);
   const model::Target pose = model::make_target(structure, std::move(points));
-  std::vector<Draw> result;
-  for (int draw = 0; draw < draws && !stop.stop_requested(); ++draw) {
+  for (int draw = 0; draw < draws && !options.solve.stop.stop_requested(); ++draw) {
     const Eigen::VectorXd wrong = limits.cwiseProduct(units.col(draw));
-    result.push_back(
-        settle({structure, state, tensions, pose, parameters, wrong}, errors.attachment > 0, stop));
+    if (!visit(settle({structure, state, tensions, pose, parameters, wrong, options}))) return;
   }
+}
+
+}  // namespace
+
+std::vector<Draw> settle_draws(const model::Structure& structure, const model::State& state,
+                               const Eigen::VectorXd& tensions, const CableErrors& errors,
+                               int draws, std::uint64_t seed, const std::stop_token& stop) {
+  std::vector<Draw> result;
+  each_draw(structure, state, tensions, errors, draws, seed, {.solve = {.stop = stop}},
+            [&](const Draw& draw) {
+              result.push_back(draw);
+              return true;
+            });
   return result;
+}
+
+bool all_keep_their_paths(const model::Structure& structure, const model::State& state,
+                          const Eigen::VectorXd& tensions, const CableErrors& errors, int draws,
+                          std::uint64_t seed, const std::stop_token& stop) {
+  bool all = true;
+  each_draw(structure, state, tensions, errors, draws, seed,
+            {.beyond_fold = false, .solve = {.stop = stop}}, [&](const Draw& draw) {
+              all = draw.keeps_its_path();
+              return all;
+            });
+  return all && !stop.stop_requested();
 }
 
 FirstFall first_fall(const model::Structure& structure, const model::State& state,

@@ -40,6 +40,7 @@ void LocalSearchOptions::validate() const {
   require(max_rounds >= 0, "LocalSearchOptions::max_rounds must not be negative");
   require(candidates > 0, "LocalSearchOptions::candidates must be positive");
   require(alike >= 0 && alike < 1, "LocalSearchOptions::alike must be in [0, 1)");
+  require(brace_tension > 0, "LocalSearchOptions::brace_tension must be positive");
 }
 
 void FitOptions::validate() const {
@@ -53,8 +54,9 @@ void FitOptions::validate() const {
   require(min_gain >= 0, "FitOptions::min_gain must not be negative");
   require(min_round_gain >= 0, "FitOptions::min_round_gain must not be negative");
   require(power >= 2, "FitOptions::power must be at least 2");
-  for (const double weight : stability_weights)
-    require(weight >= 0, "FitOptions::stability_weights must not be negative");
+  for (const Attempt& attempt : attempts)
+    require(attempt.stability_weight >= 0 && attempt.min_unit >= 0,
+            "FitOptions::attempts must not have negative numbers");
 }
 
 void StartOptions::validate() const {

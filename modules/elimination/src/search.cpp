@@ -116,6 +116,8 @@ struct Found {
   // What the networks were required to keep.
   double min_eigenvalue = 0.0;
   int max_floating = 1;
+  Workmanship workmanship{};
+  double standing_deviation = 0.0;
 };
 
 // All of the search on rods of one resolution; its rows and its best network go to `result`.
@@ -157,7 +159,9 @@ Found search_on(const Problem& problem, std::span<const symmetry::Group> seeds,
   std::ranges::move(near, std::back_inserter(few));
 
   Found found{.min_eigenvalue = requirements.min_eigenvalue,
-              .max_floating = requirements.max_floating};
+              .max_floating = requirements.max_floating,
+              .workmanship = requirements.workmanship,
+              .standing_deviation = requirements.standing_deviation};
   ParetoArchive archives[] = {multistart.eliminate_from(full), multistart.eliminate_from(few)};
   const auto record = [&] {
     for (const ParetoArchive& archive : archives) found.archive.add(archive);
@@ -182,13 +186,12 @@ void prolong(const std::vector<Solution>& coarse, const model::Structure& bare,
   for (const Solution& solution : coarse)
     if (goal.every_number || loose.met(solution.score())) order.push_back(&solution);
   if (goal.by_number()) std::ranges::reverse(order);
-  const auto enough = [&] {
-    const Solution* best = archive.best_for(goal);
-    return best && !goal.every_number && (goal.by_number() || goal.met(best->score()));
-  };
   int spare = 0;
   for (const Solution* solution : order) {
-    if (enough() && spare++ == options.prolong.spare) return;
+    const Solution* best = archive.best_for(goal);
+    if (best && !goal.every_number && (goal.by_number() || goal.met(best->score())) &&
+        ++spare > (best->standing.stands() ? 1 : 2) * options.prolong.spare)
+      return;
     multistart.add_fitted(transferred(solution->network, bare), archive);
   }
 }
@@ -220,7 +223,8 @@ ParetoArchive search_coarse(const Problem& problem, const Problem& coarse,
                                   .symmetry = problem.group(),
                                   .min_eigenvalue = found.min_eigenvalue,
                                   .max_floating = found.max_floating,
-                                  .workmanship = options.workmanship};
+                                  .workmanship = found.workmanship,
+                                  .standing_deviation = found.standing_deviation};
   Multistart multistart(requirements, problem.candidates, options, control, recorder);
   ParetoArchive archive;
   prolong(found.archive.best(), problem.structure, multistart, archive);
@@ -233,7 +237,8 @@ ParetoArchive search_coarse(const Problem& problem, const Problem& coarse,
     record();
     // What was lost on the way may be found again.
     const Solution* before = found.archive.best_for(options.goal);
-    if (before && options.goal.improves(before->score(), best->score()))
+    if (!best->standing.stands() ||
+        (before && options.goal.improves(before->score(), best->score())))
       multistart.iterated_local_search({&archive, 1}, 1, record);
   }
   return archive;

@@ -254,7 +254,7 @@ PathEquilibrium settle_along(const PathStart& given, const Eigen::VectorXd& leng
   if (part == 1 && (path.approach(now, 1, reach, Accuracy::of_rest, *at) ||
                     path.correct(now, 1, reach, Accuracy::of_rest, trial))) {
     result.rest = at_rest(path.system(), now, lengths, options.solve.tolerance);
-  } else {
+  } else if (options.beyond_fold || part == 1) {
     result.rest = relax_inextensible(with_lengths(start.structure, lengths), std::move(now.state),
                                      now.forces.tension, options.solve);
   }

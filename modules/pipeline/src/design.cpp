@@ -158,12 +158,6 @@ model::Check check_building(const Task& task, const Design& design, const RunOpt
   return check;
 }
 
-// Whether it is what was asked for and stands: what other cables can mend.
-bool answers(const model::Goal& goal, const Design& design) {
-  const model::Score score = score_of(design);
-  return goal.met(score) && score.stands;
-}
-
 // The design of a network: complete unless it falls short of something.
 Design certified(const Task& task, const Network& network, const RunOptions& options) {
   Design design = recorded(task, network);
@@ -176,9 +170,9 @@ Design certified(const Task& task, const Network& network, const RunOptions& opt
   return design;
 }
 
-// The networks certified one after the other, from the one asked for on, until one answers: it
-// is better than one that does not stand or settles elsewhere, unless it is much further from the
-// target. When none is, the one asked for. Its row of the trace comes last.
+// The networks certified one after the other, from the one asked for on, until one stands; else the
+// first of the best footing. One that is much further from the target than another is no better.
+// Its row of the trace comes last.
 Design first_answer(const Task& task, const Outcome& outcome, const RunOptions& options) {
   constexpr int max_tries = 6;
   const model::Goal goal = goal_of(task.scene.design);
@@ -188,11 +182,12 @@ Design first_answer(const Task& task, const Outcome& outcome, const RunOptions& 
   std::vector<model::StageRow> checks;
   for (int k = 0, i = outcome.asked; k < max_tries && i >= 0 && i < count; i += step, ++k) {
     Design next = certified(task, outcome.networks[i], options);
-    const bool better =
-        answers(goal, next) && (k == 0 || goal.prefers_standing(score_of(next), score_of(best)));
+    const model::Score score = score_of(next);
+    const bool better = k > 0 && score.footing > score_of(best).footing &&
+                        goal.prefers_footing(score, score_of(best));
     if (k == 0 || better) std::swap(best, next);
     if (!next.trace.empty()) checks.push_back(next.trace.back());
-    if (better) break;
+    if (score_of(best).stands()) break;
   }
   checks.push_back(best.trace.back());
   best.trace = outcome.trace;
@@ -219,7 +214,7 @@ const Design& best_for(const model::Goal& goal, std::span<const Design> designs)
     const int at = goal.pick(scores);
     return at < 0 ? nullptr : counted[at];
   };
-  const Design* standing = picked([](const Design& design) { return score_of(design).stands; });
+  const Design* standing = picked([](const Design& design) { return score_of(design).stands(); });
   if (standing && goal.met(score_of(*standing))) return *standing;
   return *picked([](const Design&) { return true; });
 }

@@ -17,7 +17,7 @@ ErrorResponse error_response(const sensitivity::Configuration& at,
                              const equilibrium::SoftModes& soft, const Workmanship& workmanship,
                              int fixed_cables) {
   const Eigen::Index modes = soft.values.size();
-  ErrorResponse response{.variance = Eigen::VectorXd::Zero(modes)};
+  ErrorResponse response{.covariance = Eigen::MatrixXd::Zero(modes, modes)};
   if (!(workmanship.length_error > 0 || workmanship.attachment_error > 0)) return response;
   const auto parameters = cable_parameters(at.cables(), fixed_cables);
   const auto count = static_cast<Eigen::Index>(parameters.size());
@@ -31,15 +31,14 @@ ErrorResponse error_response(const sensitivity::Configuration& at,
   for (Eigen::Index p = 0; p < count; ++p)
     coordinates.row(p) *= certify::limit_of(errors_of(workmanship), parameters[p]) /
                           std::sqrt(3.0);  // the standard deviation of a uniform error
-  const Eigen::MatrixXd covariance = coordinates.transpose() * coordinates;
-  response.variance = covariance.diagonal();
+  response.covariance = coordinates.transpose() * coordinates;
   double largest = 0;
   for (int rod = 0; rod < static_cast<int>(at.state.size()); ++rod)
     for (int vertex = 0; vertex < at.state[rod].x.cols(); ++vertex) {
       double variance = 0;
       for (int axis = 0; axis < 3; ++axis)
         if (const int i = at.system.position_index(rod, vertex, axis); i >= 0)
-          variance += soft.modes.row(i) * covariance * soft.modes.row(i).transpose();
+          variance += soft.modes.row(i) * response.covariance * soft.modes.row(i).transpose();
       largest = std::max(largest, variance);
     }
   response.deviation = std::sqrt(largest);

@@ -13,8 +13,9 @@ namespace tencer::elimination {
 certify::CableErrors errors_of(const Workmanship& workmanship, double times = 1);
 
 struct ErrorResponse {
-  Eigen::VectorXd variance{};  // of each mode's coordinate: the square of a mean displacement
-  double deviation = 0.0;      // standard deviation of the vertex that moves most, a length
+  // Of the modes' coordinates (modes x modes): squares of mean displacements.
+  Eigen::MatrixXd covariance{};
+  double deviation = 0.0;  // standard deviation of the vertex that moves most, a length
 };
 
 // Errors are independent and uniform within the limits of the workmanship; the first cables, as

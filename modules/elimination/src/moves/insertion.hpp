@@ -1,4 +1,4 @@
-// Which further cables would bring a network closest to its target.
+// Which further cables would bring a network closest to its target, or make it firmest.
 #pragma once
 
 #include <span>
@@ -19,6 +19,12 @@ struct Insertion {
 std::vector<Insertion> best_insertions(const FittedNetwork& fitted,
                                        std::span<const springs::Cable> candidates, int max_count,
                                        const LocalSearchOptions& options);
+
+// Likewise the candidates that as cables which do not stretch leave errors the least to move, by
+// the softest modes; without errors the least compliance. They pull weakly.
+std::vector<Insertion> best_braces(const FittedNetwork& fitted,
+                                   std::span<const springs::Cable> candidates, int max_count,
+                                   const LocalSearchOptions& options);
 
 // `network` with the cables in it, pulling with `part` of their tension at the network's state.
 network::Network with_insertion(network::Network network, const Insertion& insertion, double part);

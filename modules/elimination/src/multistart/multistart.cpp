@@ -17,6 +17,23 @@ namespace tencer::elimination {
 
 using network::Network;
 
+namespace {
+
+// Whether the answer is better, or what to go on from nearer to standing.
+bool improved(const ParetoArchive& before, const ParetoArchive& after, const model::Goal& goal) {
+  constexpr double clearly = 0.95;
+  const Solution* best = before.best_for(goal);
+  if (!best) return false;
+  const Solution& base = *before.base_for(goal);
+  const Solution& next = *after.base_for(goal);
+  return goal.improves(after.best_for(goal)->score(), best->score()) ||
+         (base.standing.footing == model::Footing::keeps &&
+          next.standing.footing == model::Footing::keeps &&
+          next.standing.deviation < clearly * base.standing.deviation);
+}
+
+}  // namespace
+
 Requirements requirements_for(const Network& start, const model::Target& target,
                               const model::Rules& rules, const symmetry::Group* symmetry,
                               const EliminationOptions& options) {
@@ -24,15 +41,17 @@ Requirements requirements_for(const Network& start, const model::Target& target,
   constexpr double moved = 2;     // times as far by errors as the start is
   const equilibrium::System system(start.structure);
   Workmanship workmanship = options.workmanship;
-  workmanship.max_deviation =
-      std::max(workmanship.max_deviation, moved * error_deviation(start, workmanship));
+  const double asked = workmanship.max_deviation;
+  const double of_start = error_deviation(start, workmanship);
+  workmanship.max_deviation = std::max(asked, moved * of_start);
   return {.target = target,
           .rules = rules,
           .symmetry = symmetry,
           .min_eigenvalue = std::min(options.min_eigenvalue, softer * stiffest_eigenvalue(start)),
           .max_floating =
               equilibrium::floating_components(equilibrium::rigid_modes(system, start.state)),
-          .workmanship = workmanship};
+          .workmanship = workmanship,
+          .standing_deviation = of_start <= asked ? asked : workmanship.max_deviation};
 }
 
 Multistart::Multistart(const Requirements& requirements, std::span<const springs::Cable> candidates,
@@ -87,28 +106,47 @@ void Multistart::add_fitted(const Network& network, ParetoArchive& archive) {
   network::Control unstopped = control_;
   unstopped.stop = {};
   FittedNetwork fitted(network, requirements_, {}, options_.step, unstopped);
-  for (const double stability_weight : options_.fit.stability_weights) {
+  const model::Goal& goal = options_.goal;
+  const double accepted = goal.by_number() ? 0.0 : goal.max_error_percent;
+  std::vector<Solution> found;
+  for (const auto& [stability_weight, min_unit] : options_.fit.attempts) {
     if (!fitted.usable()) break;
     const bool stopped = control_.stop.stop_requested();
-    if (!stopped) fit_closely(fitted, options_.measure, stability_weight, options_.fit);
-    Solution solution{.network = fitted.network(),
-                      .max_percent = fitted.deviation().max_percent,
-                      .rms_percent = fitted.deviation().rms_percent,
-                      .smallest_eigenvalue = fitted.softest()};
-    solution.standing =
-        standing_of(solution.network, requirements_, options_.workmanship, control_.stop);
-    const bool enough = solution.standing.holds() || control_.stop.stop_requested();
-    archive.add(std::move(solution));
-    if (enough) break;
+    if (!stopped)
+      fit_closely(fitted, options_.measure, stability_weight, min_unit * accepted, options_.fit);
+    Solution& solution = found.emplace_back(Solution{.network = fitted.network(),
+                                                     .max_percent = fitted.deviation().max_percent,
+                                                     .rms_percent = fitted.deviation().rms_percent,
+                                                     .smallest_eigenvalue = fitted.softest()});
+    // What is too far away is no answer, however it stands.
+    if (stopped || (!goal.every_number && !goal.met(solution.score()))) break;
+    solution.standing = standing_of(solution.network, requirements_, control_.stop);
+    if (solution.standing.stands()) break;
   }
   count(fitted);
+  look_for_footing(found);
+  for (const Solution& solution : found) archive.add(solution);
+}
+
+// When none stands, whether the one that errors move least keeps its pose.
+void Multistart::look_for_footing(std::vector<Solution>& found) const {
+  Solution* firmest = nullptr;
+  for (Solution& solution : found) {
+    if (solution.standing.stands()) return;
+    if ((options_.goal.every_number || options_.goal.met(solution.score())) &&
+        (!firmest || solution.standing.deviation < firmest->standing.deviation))
+      firmest = &solution;
+  }
+  if (firmest && keeps_its_pose(firmest->network, requirements_, control_.stop))
+    firmest->standing.footing = model::Footing::keeps;
 }
 
 // Fits the networks of an elimination that may answer the goal: all of them, the first with few
-// enough cables, or from the last back until one is close enough.
+// enough cables, or from the last back until one is close enough and stands.
 ParetoArchive Multistart::fit_answers(const std::vector<Network>& path) {
   const model::Goal& goal = options_.goal;
   ParetoArchive archive;
+  int further = options_.fit.further;
   for (auto network = path.rbegin(); network != path.rend(); ++network) {
     if (goal.by_number() && !goal.every_number) {
       // The one with the most of those that have few enough cables; when none has, the last.
@@ -119,10 +157,10 @@ ParetoArchive Multistart::fit_answers(const std::vector<Network>& path) {
     ParetoArchive fitted;
     add_fitted(*network, fitted);
     const Solution* solution = fitted.best_for(goal);
-    const bool enough =
-        solution && !goal.every_number && (goal.by_number() || goal.met(solution->score()));
     archive.add(fitted);
-    if (enough) break;
+    if (!solution || goal.every_number) continue;
+    if (goal.by_number()) break;
+    if (goal.met(solution->score()) && (solution->standing.stands() || further-- == 0)) break;
   }
   return archive;
 }
@@ -153,6 +191,19 @@ ParetoArchive Multistart::eliminate_from(std::span<const Start> starts) {
   return all;
 }
 
+// Puts one of the best cables in; what does not stand is braced every other time. false: there is
+// none, or the network does not bear it.
+bool Multistart::insert(FittedNetwork& at, const Solution& solution, int insertion) const {
+  const bool stands = solution.standing.stands();
+  const auto best = stands || insertion % 2 == 1 ? best_insertions : best_braces;
+  const int which = stands ? insertion : insertion / 2;
+  const auto insertions = best(at, candidates_, which + 1, options_.local_search);
+  if (static_cast<int>(insertions.size()) <= which) return false;
+  for (double part = 1; part > 0.05; part /= 4)
+    if (at.restart(with_insertion(solution.network, insertions[which], part))) return true;
+  return false;
+}
+
 ParetoArchive Multistart::perturbed(const Solution& solution, const DescentSettings& settings,
                                     int insertion) {
   const model::Goal& goal = options_.goal;
@@ -162,47 +213,34 @@ ParetoArchive Multistart::perturbed(const Solution& solution, const DescentSetti
       solution.network, requirements_,
       {.norm = {.unit = percent / 100 * diagonal_}, .stability_weight = settings.stability_weight});
   ParetoArchive archive;
-  if (at.usable()) {
-    bool in = insertion < 0;
-    if (!in) {
-      const auto insertions =
-          best_insertions(at, candidates_, insertion + 1, options_.local_search);
-      if (static_cast<int>(insertions.size()) > insertion)
-        for (double part = 1; part > 0.05 && !in; part /= 4)
-          in = at.restart(with_insertion(solution.network, insertions[insertion], part));
-    }
-    if (in) {
-      at.refit(4);
-      archive = fit_answers(eliminate_backward(at, descent(settings, percent), options_.removal));
-    }
+  if (at.usable() && (insertion < 0 || insert(at, solution, insertion))) {
+    at.refit(4);
+    // A cable more may be what it stands by.
+    if (insertion >= 0 && !solution.standing.stands()) add_fitted(at.network(), archive);
+    archive.add(fit_answers(eliminate_backward(at, descent(settings, percent), options_.removal)));
   }
   count(at);
   return archive;
 }
 
-// What there is to vary: of each archive the best, null where it has none with cables.
-std::vector<const Solution*> Multistart::bests(std::span<const ParetoArchive> archives) const {
-  std::vector<const Solution*> result;
-  for (const ParetoArchive& archive : archives) {
-    const Solution* best = archive.best_for(options_.goal);
-    result.push_back(best && best->cables() > 0 ? best : nullptr);
-  }
-  return result;
-}
-
-void Multistart::perturb(std::span<ParetoArchive> archives, int round) {
-  const auto found = bests(archives);
+bool Multistart::perturb(std::span<ParetoArchive> archives, int round) {
+  std::vector<Solution> bases;  // of each archive that has something to vary
   std::vector<int> occupied;
-  for (int i = 0; i < static_cast<int>(found.size()); ++i)
-    if (found[i]) occupied.push_back(i);
+  for (int i = 0; i < static_cast<int>(archives.size()); ++i)
+    if (const Solution* base = archives[i].base_for(options_.goal); base && base->cables() > 0) {
+      bases.push_back(*base);
+      occupied.push_back(i);
+    }
+  if (occupied.empty()) return false;
   const int count = static_cast<int>(occupied.size());
   const int ways = static_cast<int>(options_.portfolio.size());
   std::vector<ParetoArchive> results(options_.portfolio.size());
   network::in_parallel(ways, options_.threads, [&](int k) {
-    results[k] = perturbed(*found[occupied[k % count]], options_.portfolio[(k + round) % ways],
+    results[k] = perturbed(bases[k % count], options_.portfolio[(k + round) % ways],
                            (k + ways * round) / count - 1);
   });
   for (int k = 0; k < ways; ++k) archives[occupied[k % count]].add(results[k]);
+  return true;
 }
 
 void Multistart::iterated_local_search(std::span<ParetoArchive> archives, int patience,
@@ -213,14 +251,11 @@ void Multistart::iterated_local_search(std::span<ParetoArchive> archives, int pa
   for (int round = 0;
        round < options_.local_search.max_rounds && waited < patience && !recorder_.stopped();
        ++round) {
-    std::vector<std::optional<model::Score>> before;
-    for (const Solution* best : bests(archives))
-      before.push_back(best ? std::optional(best->score()) : std::nullopt);
-    if (std::ranges::none_of(before, [](const auto& best) { return best.has_value(); })) return;
-    perturb(archives, waited);
+    const std::vector<ParetoArchive> before(archives.begin(), archives.end());
+    if (!perturb(archives, waited)) return;
     ++waited;
     for (std::size_t i = 0; i < archives.size(); ++i)
-      if (before[i] && goal.improves(archives[i].best_for(goal)->score(), *before[i])) waited = 0;
+      if (improved(before[i], archives[i], goal)) waited = 0;
     record();
   }
 }

@@ -22,7 +22,8 @@ struct Start {
 };
 
 // No network much softer than `start` is entered, nor one that errors move much further than it and
-// than is asked, nor one whose rods are more free of each other.
+// than is asked, nor one whose rods are more free of each other. Where errors move even the start
+// further than is asked, no fewer cables will do better: what is entered stands then.
 Requirements requirements_for(const network::Network& start, const model::Target& target,
                               const model::Rules& rules, const symmetry::Group* symmetry,
                               const EliminationOptions& options);
@@ -66,11 +67,12 @@ class Multistart {
 
  private:
   // Adds networks like the archives' best but for a cable more and others less, in several ways;
-  // what is tried differs from round to round.
-  void perturb(std::span<ParetoArchive> archives, int round);
+  // what is tried differs from round to round. false: there is nothing to vary.
+  bool perturb(std::span<ParetoArchive> archives, int round);
+  bool insert(FittedNetwork& at, const Solution& solution, int insertion) const;
   // insertion: which of the best cables goes in; -1: none.
   ParetoArchive perturbed(const Solution& solution, const DescentSettings& settings, int insertion);
-  std::vector<const Solution*> bests(std::span<const ParetoArchive> archives) const;
+  void look_for_footing(std::vector<Solution>& found) const;
   ParetoArchive fit_answers(const std::vector<network::Network>& path);
 
   const Requirements& requirements_;

@@ -31,7 +31,8 @@ void optimize_once(FittedNetwork& fitted, const FitOptions& options) {
 }  // namespace
 
 void fit_closely(FittedNetwork& fitted, model::Measure measure, double stability_weight,
-                 const FitOptions& options) {
+                 double min_percent, const FitOptions& options) {
+  min_percent = std::max(min_percent, min_distance_percent);
   const double diagonal = model::diagonal(fitted.requirements().target);
   const bool largest = measure == model::Measure::max;
   const auto error = [&] {
@@ -39,7 +40,7 @@ void fit_closely(FittedNetwork& fitted, model::Measure measure, double stability
   };
   for (int round = 0; round < options.rounds; ++round) {
     const double before = error();
-    fitted.set({.norm = {.unit = std::max(before, min_distance_percent) / 100 * diagonal,
+    fitted.set({.norm = {.unit = std::max(before, min_percent) / 100 * diagonal,
                          .power = largest && round > 0 ? options.power : 2.0},
                 .stability_weight = stability_weight,
                 .buildable = true});

@@ -8,8 +8,9 @@ namespace tencer::elimination {
 // Distances below this, in % of the target's diagonal, are not told apart.
 inline constexpr double min_distance_percent = 1e-4;
 
-// Fits the network, which must be usable, and leaves it fitted.
+// Fits the network, which must be usable, and leaves it fitted. min_percent: the objective's unit
+// of distance is never smaller.
 void fit_closely(FittedNetwork& fitted, model::Measure measure, double stability_weight,
-                 const FitOptions& options);
+                 double min_percent, const FitOptions& options);
 
 }  // namespace tencer::elimination

@@ -62,7 +62,7 @@ double FittedNetwork::evaluate(const Eigen::VectorXd& residual, const equilibriu
                                const ErrorResponse& errors) const {
   double sum = 0;
   for (Eigen::Index k = 0; k < soft.values.size(); ++k)
-    sum += softness(soft.values[k], errors.variance[k]).value;
+    sum += softness(soft.values[k], errors.covariance(k, k)).value;
   return mismatch(residual, objective_.norm) + objective_.stability_weight * sum;
 }
 
@@ -126,7 +126,7 @@ Squares FittedNetwork::stability_terms(const LocalModel& local,
                 .rates = Eigen::MatrixXd(modes, local.ties.cols())};
   for (Eigen::Index k = 0; k < modes; ++k) {
     const Eigen::VectorXd rate = soft_rates(at, soft, k, local);
-    const auto [value, slope] = softness(soft.values[k], errors.variance[k]);
+    const auto [value, slope] = softness(soft.values[k], errors.covariance(k, k));
     terms.value[k] = std::sqrt(objective_.stability_weight * value);
     terms.rates.row(k) = terms.value[k] * slope / (2 * value) * rate.transpose();
   }

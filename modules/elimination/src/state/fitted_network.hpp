@@ -2,6 +2,7 @@
 // is stable, near, and better.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <tencer/elimination/options.hpp>
 #include <tencer/equilibrium/modal.hpp>
@@ -23,7 +24,9 @@ struct Requirements {
   double min_eigenvalue = 0.0;                // softer networks are not entered
   int max_floating = 1;  // components of rods that are free of each other, at most
   int fixed_cables = 0;  // so many of the first cables stay as they are; only without symmetry
-  Workmanship workmanship{};
+  Workmanship
+      workmanship{};  // its max_deviation: networks that errors move further are not entered
+  double standing_deviation = std::numeric_limits<double>::infinity();  // of what stands, at most
 };
 
 // The mismatch in `norm` plus stability_weight * sum of softness over the softest modes, which is
@@ -56,6 +59,8 @@ class FittedNetwork {
   double softest() const { return soft_.values[0]; }
   const sensitivity::Deviation& deviation() const { return deviation_; }
   const sensitivity::Configuration& at() const { return at_; }
+  const equilibrium::SoftModes& soft() const { return soft_; }
+  const ErrorResponse& errors() const { return errors_; }
   const Requirements& requirements() const { return requirements_; }
   const Objective& objective() const { return objective_; }
   network::Network network() const { return {at_.system.structure(), at_.state}; }

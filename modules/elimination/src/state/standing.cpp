@@ -28,41 +28,33 @@ bool is_clear(const network::Network& network, const Requirements& requirements)
              (1 - near) * requirements.workmanship.least_tension(tensions.maxCoeff());
 }
 
-// Whether errors somewhat larger than those asked for make it fall to another pose.
-bool falls(const network::Network& network, const Workmanship& workmanship,
-           const std::stop_token& stop) {
-  constexpr double larger = 1.5;  // so that few draws tell what many smaller ones would
-  constexpr int draws = 10;
-  const certify::CableErrors errors = errors_of(workmanship, larger);
-  if (errors.length == 0 && errors.attachment == 0) return false;
-  const model::Structure structure = built(network);
-  const Eigen::VectorXd tensions = cable_tensions(network);
-  for (std::uint64_t seed = 1; seed <= draws; ++seed)
-    for (const certify::Draw& draw :
-         certify::settle_draws(structure, network.state, tensions, errors, 1, seed, stop))
-      if (!draw.rests || draw.falls_at || !draw.followed) return true;
-  return false;
-}
-
 }  // namespace
 
 double error_deviation(const network::Network& network, const Workmanship& workmanship) {
-  constexpr int draws = 500;
+  constexpr int draws = 2000;  // as many as a check of the design makes
   const Eigen::VectorXd tensions = cable_tensions(network);
   const auto response = certify::pose_response(built(network), network.state, tensions);
   if (!response.computed) return std::numeric_limits<double>::infinity();
   return certify::tolerance(response, tensions, errors_of(workmanship), draws).percentile_95;
 }
 
+bool keeps_its_pose(const network::Network& network, const Requirements& requirements,
+                    const std::stop_token& stop) {
+  constexpr double larger = 1.5;  // so that few draws tell what many smaller ones would
+  constexpr int draws = 10;
+  if (!settles_from_target(network, requirements.target, stop)) return false;
+  const certify::CableErrors errors = errors_of(requirements.workmanship, larger);
+  if (errors.length == 0 && errors.attachment == 0) return true;
+  return certify::all_keep_their_paths(built(network), network.state, cable_tensions(network),
+                                       errors, draws, 1, stop);
+}
+
 Standing standing_of(const network::Network& network, const Requirements& requirements,
-                     const Workmanship& workmanship, const std::stop_token& stop) {
-  Standing standing{.settles = settles_from_target(network, requirements.target, stop),
-                    .clear = is_clear(network, requirements),
-                    .deviation = error_deviation(network, workmanship)};
-  // Draws take longer than all else.
-  standing.forgives = standing.settles && standing.clear &&
-                      standing.deviation <= workmanship.max_deviation &&
-                      !falls(network, workmanship, stop);
+                     const std::stop_token& stop) {
+  Standing standing{.deviation = error_deviation(network, requirements.workmanship)};
+  if (standing.deviation <= requirements.standing_deviation && is_clear(network, requirements) &&
+      keeps_its_pose(network, requirements, stop))
+    standing.footing = model::Footing::stands;
   return standing;
 }
 

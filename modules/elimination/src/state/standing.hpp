@@ -1,4 +1,4 @@
-// Finds out whether a network stands once it is built.
+// Finds out how a network stands once it is built.
 #pragma once
 
 #include <stop_token>
@@ -8,9 +8,14 @@
 
 namespace tencer::elimination {
 
-// workmanship: what is asked, where the requirements may ask for less.
+// Let go at the target it comes to rest in its pose, and no errors like those of the workmanship
+// make it fall: by a few draws. false when stopped.
+bool keeps_its_pose(const network::Network& network, const Requirements& requirements,
+                    const std::stop_token& stop);
+
+// Whether it stands; Footing::none otherwise.
 Standing standing_of(const network::Network& network, const Requirements& requirements,
-                     const Workmanship& workmanship, const std::stop_token& stop);
+                     const std::stop_token& stop);
 
 // The deviation by these errors; infinite where there is no first order.
 double error_deviation(const network::Network& network, const Workmanship& workmanship);

@@ -3,13 +3,24 @@
 
 namespace tencer::model {
 
+namespace {
+
+Footing footing_of(const Design& design) {
+  if (!design.certificate || !design.certificate->stable ||
+      !design.certificate->settles_from_target.value_or(false))
+    return Footing::none;
+  if (!design.check || shortfalls(*design.check, {design.length_unit, design.force_unit}).empty())
+    return Footing::stands;
+  const auto& forgives = design.check->forgives;
+  return forgives && forgives->fallen == 0 ? Footing::keeps : Footing::none;
+}
+
+}  // namespace
+
 Score score_of(const Design& design) {
   return {.cables = static_cast<int>(design.structure.cables.size()),
           .max_percent = design.error->max_percent,
-          .stands = design.certificate && design.certificate->stable &&
-                    design.certificate->settles_from_target.value_or(false) &&
-                    (!design.check ||
-                     shortfalls(*design.check, {design.length_unit, design.force_unit}).empty())};
+          .footing = footing_of(design)};
 }
 
 int external_cables(const Design& design) {

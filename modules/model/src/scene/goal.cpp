@@ -5,7 +5,7 @@ namespace tencer::model {
 
 bool Goal::improves(const Score& next, const Score& best) const {
   constexpr double clearly = 0.97;
-  if (next.stands != best.stands) return next.stands && met(next);
+  if (next.footing != best.footing) return next.footing > best.footing && met(next);
   if (!by_number() && met(next) && met(best) && next.cables != best.cables)
     return next.cables < best.cables;
   return next.max_percent < clearly * best.max_percent;
@@ -21,9 +21,9 @@ int Goal::pick(std::span<const Score> scores) const {
   return best;
 }
 
-bool Goal::prefers_standing(const Score& standing, const Score& other) const {
+bool Goal::prefers_footing(const Score& firmer, const Score& other) const {
   constexpr double worth = 2;  // times the distance
-  return met(standing) && (!by_number() || standing.max_percent <= worth * other.max_percent);
+  return met(firmer) && (!by_number() || firmer.max_percent <= worth * other.max_percent);
 }
 
 void Goal::validate() const {

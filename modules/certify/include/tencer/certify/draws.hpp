@@ -20,6 +20,8 @@ struct Draw {
   // The part of the way from no errors to these at which the path of its poses turns, so that it
   // falls to another pose; not set: it follows them all the way.
   std::optional<double> falls_at = std::nullopt;
+
+  bool keeps_its_path() const { return rests && followed && !falls_at; }
 };
 
 // The draws of unit_draws with these errors, each along its path from the pose (equilibrium/
@@ -27,6 +29,12 @@ struct Draw {
 std::vector<Draw> settle_draws(const model::Structure& structure, const model::State& state,
                                const Eigen::VectorXd& tensions, const CableErrors& errors,
                                int draws, std::uint64_t seed, const std::stop_token& stop = {});
+
+// Whether all of them would keep their paths; ends with the first that does not. false when
+// stopped.
+bool all_keep_their_paths(const model::Structure& structure, const model::State& state,
+                          const Eigen::VectorXd& tensions, const CableErrors& errors, int draws,
+                          std::uint64_t seed, const std::stop_token& stop = {});
 
 // By how many times the errors the first of some draws falls.
 struct FirstFall {

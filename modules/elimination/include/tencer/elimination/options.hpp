@@ -72,12 +72,14 @@ inline constexpr Portfolio standard_portfolio{{{0.5, 1.0, 0.3, 1.0},
                                                {0.05, 1.0, 0.3, 1.0},
                                                {0.05, 1.0, 1.0, 3.0}}};
 
-// Iterated local search (Lourenco, Martin, Stutzle 2003): the best network loses and gains cables.
+// Iterated local search (Lourenco, Martin, Stutzle 2003): the best network loses and gains cables:
+// such that bring it closer, or such that brace it while it does not stand.
 struct LocalSearchOptions {
   int patience = 2;  // rounds without a better network before it ends
   int max_rounds = 12;
-  int candidates = 40;  // insertions whose gain is worked out in full
-  double alike = 0.1;   // of a rod's length: insertions with both ends this near are alike
+  int candidates = 40;         // insertions whose gain is worked out in full
+  double alike = 0.1;          // of a rod's length: insertions with both ends this near are alike
+  double brace_tension = 0.1;  // of the mean of the others'
 
   void validate() const;
 };
@@ -96,10 +98,17 @@ struct FitOptions {
   int steps = 6;           // in a round
   double min_gain = 0.03;  // of a step, below which a round ends
   double min_round_gain = 0.05;
+  // Networks of an elimination with more cables than the fewest within the error that are fitted
+  // while none stands.
+  int further = 3;
   double power = 8;  // of the norm that stands for the largest distance
-  // What does not settle from the target may once it resists its softest motions more: these
-  // weights are tried one after the other.
-  std::array<double, 3> stability_weights{1e-2, 0.5, 5.0};
+  // What does not stand may once it resists its softest motions more: these are tried one after the
+  // other. The objective's unit of distance is never smaller than this part of the error accepted.
+  struct Attempt {
+    double stability_weight = 0.0;
+    double min_unit = 0.0;
+  };
+  std::array<Attempt, 3> attempts{{{1e-2, 0.0}, {0.5, 0.5}, {3.0, 0.5}}};
 
   void validate() const;
 };

@@ -7,15 +7,12 @@
 
 namespace tencer::elimination {
 
-// Whether a network stands once it is built.
+// How a network stands once it is built.
 struct Standing {
-  bool settles = false;    // let go at the target it comes to rest in its pose
-  bool clear = false;      // gaps and tensions are as the rules and the workmanship ask
+  model::Footing footing = model::Footing::none;
   double deviation = 0.0;  // by errors within the workmanship (95 %), to first order; a length
-  // These errors keep it near its pose; looked at only when it settles and is clear.
-  bool forgives = false;
 
-  bool holds() const { return settles && clear && forgives; }
+  bool stands() const { return footing == model::Footing::stands; }
 };
 
 // A network that was fitted and is in stable equilibrium with every cable pulling, its cables as
@@ -29,7 +26,7 @@ struct Solution {
   Standing standing{};
 
   int cables() const { return cable_count(network); }
-  model::Score score() const { return {cables(), max_percent, standing.holds()}; }
+  model::Score score() const { return {cables(), max_percent, standing.footing}; }
 };
 
 struct [[nodiscard]] EliminationResult {

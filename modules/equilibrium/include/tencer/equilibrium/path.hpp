@@ -17,6 +17,7 @@ struct PathOptions {
   double max_departure = 0.5;
   // The path has turned where it cannot be followed in steps as large as this part of the way.
   double min_step = 1e-4;
+  bool beyond_fold = true;  // whether it is looked for where the structure goes from there
   // Of the relaxation from where the path turns; its tolerance and stop are those of the path too.
   SolveOptions solve{};
 
@@ -25,7 +26,7 @@ struct PathOptions {
 };
 
 struct [[nodiscard]] PathEquilibrium {
-  InextensibleEquilibrium rest{};  // where it comes to rest at last
+  InextensibleEquilibrium rest{};  // where it comes to rest at last, if that is looked for
   // Whether the start is stable with the forces that it lacks to balance, which fade along the way;
   // without that there is no path, and `rest` is relaxed from the start.
   bool held = false;
