@@ -12,6 +12,7 @@
 #include "multilevel/coarsen.hpp"
 #include "multilevel/transfer.hpp"
 #include "multistart/block_elimination.hpp"
+#include "state/standing.hpp"
 
 namespace tencer::elimination {
 namespace {
@@ -136,8 +137,12 @@ Found search_on(const Problem& problem, std::span<const symmetry::Group> seeds,
   if (full.empty() || result.interrupted) return {};
 
   network::StageRecorder recorder("eliminate", control);
-  const Requirements requirements = requirements_for(full.front().network, problem.target,
-                                                     problem.rules, problem.group(), options);
+  Requirements requirements = requirements_for(full.front().network, problem.target, problem.rules,
+                                               problem.group(), options);
+  // Where errors move even the many cables of a balance further than is asked, so they do fewer.
+  if (error_deviation(full.front().network, options.workmanship) >
+      options.workmanship.max_deviation)
+    requirements.standing_deviation = requirements.workmanship.max_deviation;
   Multistart multistart(requirements, problem.candidates, options, control, recorder);
   for (Start& start : near)
     start = {.network = eliminate_in_blocks(multistart, start.network), .descents = 2};

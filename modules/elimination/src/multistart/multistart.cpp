@@ -41,9 +41,8 @@ Requirements requirements_for(const Network& start, const model::Target& target,
   constexpr double moved = 2;     // times as far by errors as the start is
   const equilibrium::System system(start.structure);
   Workmanship workmanship = options.workmanship;
-  const double asked = workmanship.max_deviation;
-  const double of_start = error_deviation(start, workmanship);
-  workmanship.max_deviation = std::max(asked, moved * of_start);
+  workmanship.max_deviation =
+      std::max(workmanship.max_deviation, moved * error_deviation(start, workmanship));
   return {.target = target,
           .rules = rules,
           .symmetry = symmetry,
@@ -51,7 +50,7 @@ Requirements requirements_for(const Network& start, const model::Target& target,
           .max_floating =
               equilibrium::floating_components(equilibrium::rigid_modes(system, start.state)),
           .workmanship = workmanship,
-          .standing_deviation = of_start <= asked ? asked : workmanship.max_deviation};
+          .standing_deviation = options.workmanship.max_deviation};
 }
 
 Multistart::Multistart(const Requirements& requirements, std::span<const springs::Cable> candidates,

@@ -22,8 +22,7 @@ struct Start {
 };
 
 // No network much softer than `start` is entered, nor one that errors move much further than it and
-// than is asked, nor one whose rods are more free of each other. Where errors move even the start
-// further than is asked, no fewer cables will do better: what is entered stands then.
+// than is asked, nor one whose rods are more free of each other.
 Requirements requirements_for(const network::Network& start, const model::Target& target,
                               const model::Rules& rules, const symmetry::Group* symmetry,
                               const EliminationOptions& options);
