@@ -37,27 +37,12 @@ std::vector<Edge> edges_of(const model::Structure& structure, const model::State
   return edges;
 }
 
-std::optional<RodsApart> closest_rods(const model::Structure& structure, const model::State& state,
-                                      const std::vector<double>& radii) {
-  const std::vector<Edge> edges = edges_of(structure, state);
-  std::optional<RodsApart> nearest;
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    for (std::size_t j = i + 1; j < edges.size(); ++j) {
-      const Edge& one = edges[i];
-      const Edge& other = edges[j];
-      const auto found = geometry::segment_approach(one.a, one.b, other.a, other.b);
-      const double s_a = one.s + found.t_a * one.length;
-      const double s_b = other.s + found.t_b * other.length;
-      if (one.rod == other.rod) {
-        double along = std::abs(s_a - s_b);
-        const der::Rod& rod = structure.rods[one.rod];
-        if (rod.closed) along = std::min(along, rod.length() - along);
-        if (!(along > 2 * found.distance + one.length + other.length)) continue;
-      }
-      keep(nearest,
-           {found.distance - radii[one.rod] - radii[other.rod], one.rod, s_a, other.rod, s_b});
-    }
-  return nearest;
+// Whether two places of one rod belong to strands of it.
+bool are_strands(const Edge& one, double s_a, const Edge& other, double s_b, double distance,
+                 const der::Rod& rod) {
+  double along = std::abs(s_a - s_b);
+  if (rod.closed) along = std::min(along, rod.length() - along);
+  return along > 2 * distance + one.length + other.length;
 }
 
 std::optional<CableRodApart> closest_cable_rod(const model::Structure& structure,
@@ -149,9 +134,41 @@ std::optional<MarksApart> closest_marks(const model::Structure& structure) {
 
 }  // namespace
 
+std::vector<RodsApart> closest_rods(const model::Structure& structure, const model::State& state) {
+  const std::vector<double> radii = model::outer_radii(structure);
+  const std::vector<Edge> edges = edges_of(structure, state);
+  const std::size_t rods = structure.rods.size();
+  std::vector<std::optional<RodsApart>> nearest(rods * rods);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t j = i + 1; j < edges.size(); ++j) {
+      const Edge& one = edges[i];
+      const Edge& other = edges[j];
+      const double thick = radii[one.rod] + radii[other.rod];
+      auto& known =
+          nearest[static_cast<std::size_t>(one.rod) * rods + static_cast<std::size_t>(other.rod)];
+      // The balls around the two edges are already too far apart.
+      const double between = ((one.a + one.b) - (other.a + other.b)).norm() / 2 -
+                             (one.b - one.a).norm() / 2 - (other.b - other.a).norm() / 2;
+      if (known && between - thick >= known->distance) continue;
+      const auto found = geometry::segment_approach(one.a, one.b, other.a, other.b);
+      const double s_a = one.s + found.t_a * one.length;
+      const double s_b = other.s + found.t_b * other.length;
+      if (one.rod == other.rod &&
+          !are_strands(one, s_a, other, s_b, found.distance, structure.rods[one.rod]))
+        continue;
+      keep(known, RodsApart{found.distance - thick, one.rod, s_a, other.rod, s_b});
+    }
+  std::vector<RodsApart> result;
+  for (const auto& apart : nearest)
+    if (apart) result.push_back(*apart);
+  return result;
+}
+
 Closest closest(const model::Structure& structure, const model::State& state) {
   const std::vector<double> radii = model::outer_radii(structure);
-  return {.rods = closest_rods(structure, state, radii),
+  std::optional<RodsApart> rods;
+  for (const RodsApart& apart : closest_rods(structure, state)) keep(rods, apart);
+  return {.rods = rods,
           .cable_rod = closest_cable_rod(structure, state, radii),
           .cables = closest_cables(structure, state, radii),
           .marks = closest_marks(structure)};

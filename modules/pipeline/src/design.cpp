@@ -15,7 +15,7 @@
 
 #include "methods.hpp"
 #include "record.hpp"
-#include "strength.hpp"
+#include "target_warnings.hpp"
 
 namespace tencer::pipeline {
 namespace {
@@ -37,14 +37,14 @@ void suggest_symmetry(const ground_structure::Problem& problem, const RunOptions
 }
 
 // What is known before the search: what is to be built, what was made of the input, bends that the
-// rods do not hold, what is left out, symmetries.
+// rods do not hold, rods that touch, what is left out, symmetries.
 void introduce(const Task& task, const RunOptions& options) {
   const model::Scene& scene = task.scene;
   const ground_structure::Problem& problem = task.prepared.problem;
   say(options, core::Level::info, model::in_one_line(scene));
   for (const std::string& note : scene.notes) say(options, core::Level::info, note);
   for (const std::string& warning :
-       bend_warnings(scene, problem.structure, problem.start, task.prepared.scaling.scale.length))
+       target_warnings(scene, problem.structure, problem.start, task.prepared.scaling.scale.length))
     say(options, core::Level::warning, warning);
   for (const Feature& feature : features_of(scene, task.prepared))
     if (!feature.used) say(options, core::Level::debug, "no " + feature.name + ": " + feature.why);

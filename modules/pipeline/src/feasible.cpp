@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "mends.hpp"
-#include "strength.hpp"
+#include "target_warnings.hpp"
 
 namespace tencer::pipeline {
 namespace {
@@ -152,7 +152,7 @@ core::Expected<Feasibility> feasible(const model::Scene& scene, const FeasibleOp
                        "points more evenly"};
   fill(problem, *found, length, result);
   result.verdict = verdict_of(found->rest, scene.design);
-  result.warnings = bend_warnings(coarse, problem.structure, problem.start, length);
+  result.warnings = target_warnings(coarse, problem.structure, problem.start, length);
   if (result.verdict != Verdict::can && options.mends)
     result.mends = try_mends(coarse, trial_of(scene, options));
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <tencer/model/state.hpp>
+#include <vector>
 
 namespace tencer::certify {
 
@@ -48,6 +49,9 @@ struct Closest {
   std::optional<CablesApart> cables{};
   std::optional<MarksApart> marks{};
 };
+
+// Of each pair of rods, and of a rod and itself, the nearest such places, in order of the rods.
+std::vector<RodsApart> closest_rods(const model::Structure& structure, const model::State& state);
 
 Closest closest(const model::Structure& structure, const model::State& state);
 

@@ -39,7 +39,7 @@ struct Feasibility {
   // The targets as they were looked at, and how each vertex moves (3 x n) to where the rods rest.
   std::vector<geometry::Polyline> targets{};
   std::vector<Eigen::Matrix3Xd> motions{};
-  std::vector<std::string> warnings{};  // corners, noise, strains, with their places
+  std::vector<std::string> warnings{};  // corners, noise, strains, touching rods, with places
   std::vector<Mend> mends{};
   double seconds = 0.0;
 };
