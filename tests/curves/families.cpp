@@ -48,7 +48,7 @@ TEST_CASE("no family crosses itself with its default parameters") {
   for (const Family& family : analytic_families()) {
     CAPTURE(family.name);
     const auto curves = family_curves(family, standard(family), family.vertices);
-    CHECK(closest_vertices(curves)->distance > 0.001 * bounding_box_diagonal(curves));
+    CHECK(closest_approach(curves)->distance > 0.001 * bounding_box_diagonal(curves));
     for (const Polyline& curve : curves) {
       // Neighbouring edges but one are close as well: look at every fourth vertex only.
       const std::vector<Polyline> coarse{resample(curve, curve.vertices() / 4)};

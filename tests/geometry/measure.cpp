@@ -106,21 +106,3 @@ TEST_CASE("closest approach finds where a figure eight crosses itself") {
   eight.points.conservativeResize(3, 3);
   CHECK_FALSE(closest_approach(std::vector{eight}));  // a triangle has neighbours only
 }
-
-TEST_CASE("closest vertices on one curve and between two") {
-  std::vector<Polyline> curves(2);
-  curves[0].points.resize(3, 3);
-  curves[0].points << 0, 1, 3, 0, 0, 0, 0, 0, 0;
-  curves[1].points.resize(3, 2);
-  curves[1].points << 9, 3, 0, 0.25, 0, 0;
-  const auto found = closest_vertices(curves);
-  REQUIRE(found);
-  CHECK(found->rod_a == 0);
-  CHECK(found->vertex_a == 2);
-  CHECK(found->rod_b == 1);
-  CHECK(found->vertex_b == 1);
-  CHECK(found->distance == 0.25);
-  curves[1].points.col(1).setConstant(50);
-  CHECK(closest_vertices(curves)->distance == 1.0);
-  CHECK_FALSE(closest_vertices({}));
-}

@@ -110,25 +110,10 @@ std::optional<CablesApart> closest_cables(const model::Structure& structure,
 
 std::optional<MarksApart> closest_marks(const model::Structure& structure) {
   constexpr double same = 1e-9;  // of the rod's length
-  const auto along = model::arc_lengths(structure);
-  std::vector<std::vector<double>> marks(structure.rods.size());
-  for (const auto& cable : structure.cables)
-    for (const springs::End* end : {&cable.a, &cable.b})
-      if (const auto* on = std::get_if<springs::OnRod>(end))
-        marks[on->rod].push_back(along[on->rod].wrap(on->s));
   std::optional<MarksApart> nearest;
-  for (int r = 0; r < static_cast<int>(marks.size()); ++r) {
-    auto& places = marks[r];
-    std::ranges::sort(places);
-    const double length = along[r].length();
-    const auto apart = [&](double from, double to, double distance) {
-      if (distance > same * length) keep(nearest, {distance, r, from, to});
-    };
-    for (std::size_t i = 1; i < places.size(); ++i)
-      apart(places[i - 1], places[i], places[i] - places[i - 1]);
-    if (structure.rods[r].closed && places.size() > 1)
-      apart(places.back(), places.front(), length - places.back() + places.front());
-  }
+  for (const auto& [first, second, rod, apart] :
+       model::neighbouring_marks(structure.cables, model::arc_lengths(structure)))
+    if (apart > same * structure.rods[rod].length()) keep(nearest, {apart, rod, first.s, second.s});
   return nearest;
 }
 

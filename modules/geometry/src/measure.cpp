@@ -92,18 +92,4 @@ std::optional<Approach> closest_approach(std::span<const Polyline> curves) {
   return best;
 }
 
-std::optional<VertexPair> closest_vertices(std::span<const Polyline> curves) {
-  std::optional<VertexPair> best;
-  const int rods = static_cast<int>(curves.size());
-  for (int rod_a = 0; rod_a < rods; ++rod_a)
-    for (int i = 0; i < curves[rod_a].vertices(); ++i)
-      for (int rod_b = rod_a; rod_b < rods; ++rod_b)
-        for (int j = rod_a == rod_b ? i + 1 : 0; j < curves[rod_b].vertices(); ++j) {
-          const double distance =
-              (curves[rod_a].points.col(i) - curves[rod_b].points.col(j)).norm();
-          if (!best || distance < best->distance) best = {rod_a, i, rod_b, j, distance};
-        }
-  return best;
-}
-
 }  // namespace tencer::geometry

@@ -1,15 +1,13 @@
 #include <algorithm>
+#include <tencer/core/words.hpp>
 #include <tencer/equilibrium/system.hpp>
 #include <tencer/pipeline/omissions.hpp>
 
 namespace tencer::pipeline {
 namespace {
 
+using core::counted;
 using der::TwistModel;
-
-std::string counted(int count, const std::string& thing) {
-  return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
-}
 
 // "rod 0", "rods 0, 2"
 std::string listed(const std::vector<int>& rods) {

@@ -68,41 +68,6 @@ class Rates {
   std::vector<std::array<int, 2>> slides_;  // per cable, the parameters of its ends; -1: none
 };
 
-// A place on a rod where a cable ends.
-struct Mark {
-  double s = 0.0;
-  int cable = 0;
-  int end = 0;
-};
-
-// Two marks next to each other on a rod, the second `apart` further on.
-struct MarkPair {
-  Mark first, second;
-  int rod = 0;
-  double apart = 0.0;
-};
-
-std::vector<MarkPair> neighbouring_marks(const std::vector<springs::Cable>& cables,
-                                         const std::vector<geometry::ArcLength>& along) {
-  std::vector<std::vector<Mark>> marks(along.size());
-  for (int c = 0; c < static_cast<int>(cables.size()); ++c)
-    for (const int end : {0, 1})
-      if (const auto* on = std::get_if<OnRod>(&end_of(cables[c], end)))
-        marks[on->rod].push_back({along[on->rod].wrap(on->s), c, end});
-  std::vector<MarkPair> pairs;
-  for (int rod = 0; rod < static_cast<int>(marks.size()); ++rod) {
-    auto& own = marks[rod];
-    std::ranges::sort(own, {}, &Mark::s);
-    const bool around = along[rod].closed() && own.size() > 2;
-    for (std::size_t i = 0; i + 1 < own.size() + (around ? 1 : 0); ++i) {
-      const Mark& second = own[(i + 1) % own.size()];
-      const double turn = i + 1 == own.size() ? along[rod].length() : 0.0;
-      pairs.push_back({own[i], second, rod, second.s + turn - own[i].s});
-    }
-  }
-  return pairs;
-}
-
 }  // namespace
 
 StepBounds gap_bounds(const sensitivity::Configuration& at, const LocalModel& local,
@@ -129,7 +94,8 @@ StepBounds gap_bounds(const sensitivity::Configuration& at, const LocalModel& lo
         row -= pass.away.dot(rates.tangent(pass.rod, pass.edge)) * rates.slide(c, pass.beside_end);
       add(std::move(row), std::min(passes.missing(pass), radii[pass.rod]));
     }
-  for (const MarkPair& pair : neighbouring_marks(at.cables(), at.system.arc_lengths())) {
+  for (const model::MarkPair& pair :
+       model::neighbouring_marks(at.cables(), at.system.arc_lengths())) {
     const double asked = gaps.between_marks(radii[pair.rod]);
     if (pair.apart > near * asked) continue;
     const Eigen::RowVectorXd row = rates.slide(pair.second.cable, pair.second.end) -
@@ -160,7 +126,8 @@ double missing_gap(const model::Structure& structure, const model::State& state,
   for (const auto& cable : structure.cables)
     for (const CablePass& pass : passes.of(cable, 0, 1.0))
       worst = std::max(worst, passes.missing(pass) / radii[pass.rod]);
-  for (const MarkPair& pair : neighbouring_marks(structure.cables, arc_lengths(structure))) {
+  for (const model::MarkPair& pair :
+       model::neighbouring_marks(structure.cables, arc_lengths(structure))) {
     const double asked = gaps.between_marks(radii[pair.rod]);
     if (pair.apart > same * asked) worst = std::max(worst, (asked - pair.apart) / radii[pair.rod]);
   }

@@ -3,14 +3,15 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <tencer/core/words.hpp>
 #include <tencer/model/certificate.hpp>
 #include <tencer/model/check.hpp>
 #include <tencer/model/units.hpp>
 
-#include "words.hpp"
-
 namespace tencer::model {
 namespace {
+
+using core::counted;
 
 // Lengths in mm, forces in N, three digits.
 class Words {

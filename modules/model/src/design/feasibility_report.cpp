@@ -2,12 +2,13 @@
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
+#include <tencer/core/words.hpp>
 #include <tencer/model/feasibility.hpp>
-
-#include "words.hpp"
 
 namespace tencer::model {
 namespace {
+
+using core::counted;
 
 std::string percent(double value) {
   std::ostringstream text;

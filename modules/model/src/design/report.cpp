@@ -1,14 +1,15 @@
 // Designs in words.
 #include <iomanip>
 #include <sstream>
+#include <tencer/core/words.hpp>
 #include <tencer/model/build.hpp>
 #include <tencer/model/design.hpp>
 #include <tencer/model/units.hpp>
 
-#include "words.hpp"
-
 namespace tencer::model {
 namespace {
+
+using core::counted;
 
 double millimetres(const Design& design, double length) {
   return 1000 * metres(design.length_unit) * length;

@@ -2,15 +2,16 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <tencer/core/words.hpp>
 #include <tencer/geometry/polyline.hpp>
 #include <tencer/model/scene.hpp>
 #include <tencer/model/units.hpp>
 #include <tuple>
 
-#include "words.hpp"
-
 namespace tencer::model {
 namespace {
+
+using core::counted;
 
 // With as many digits as a tape measure gives.
 std::string number(double value, int digits) {

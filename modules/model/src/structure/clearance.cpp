@@ -36,6 +36,27 @@ std::vector<double> outer_radii(const Structure& structure) {
   return radii;
 }
 
+std::vector<MarkPair> neighbouring_marks(const std::vector<springs::Cable>& cables,
+                                         const std::vector<geometry::ArcLength>& along) {
+  std::vector<std::vector<Mark>> marks(along.size());
+  for (int c = 0; c < static_cast<int>(cables.size()); ++c)
+    for (const int end : {0, 1})
+      if (const auto* on = std::get_if<springs::OnRod>(end == 0 ? &cables[c].a : &cables[c].b))
+        marks[on->rod].push_back({along[on->rod].wrap(on->s), c, end});
+  std::vector<MarkPair> pairs;
+  for (int rod = 0; rod < static_cast<int>(marks.size()); ++rod) {
+    auto& own = marks[rod];
+    std::ranges::sort(own, {}, &Mark::s);
+    const bool around = along[rod].closed() && own.size() > 1;
+    for (std::size_t i = 0; i + 1 < own.size() + (around ? 1 : 0); ++i) {
+      const Mark& second = own[(i + 1) % own.size()];
+      const double turn = i + 1 == own.size() ? along[rod].length() : 0.0;
+      pairs.push_back({own[i], second, rod, second.s + turn - own[i].s});
+    }
+  }
+  return pairs;
+}
+
 CablePasses::CablePasses(const Structure& structure, const State& state, const Gaps& gaps)
     : structure_(structure),
       state_(state),

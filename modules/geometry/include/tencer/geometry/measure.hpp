@@ -38,16 +38,4 @@ struct Approach {
 // crossing. None when there is no such pair. Time grows with the square of the number of edges.
 std::optional<Approach> closest_approach(std::span<const Polyline> curves);
 
-struct VertexPair {
-  int rod_a = 0;
-  int vertex_a = 0;
-  int rod_b = 0;
-  int vertex_b = 0;
-  double distance = 0.0;
-};
-
-// The two vertices that are closest to each other, on one curve or on two; neighbours count. None
-// for fewer than two vertices in all. Time grows with the square of the number of vertices.
-std::optional<VertexPair> closest_vertices(std::span<const Polyline> curves);
-
 }  // namespace tencer::geometry

@@ -13,6 +13,25 @@ namespace tencer::model {
 // How far each rod's surface is from its centre line at most.
 std::vector<double> outer_radii(const Structure& structure);
 
+// A place on a rod where a cable ends.
+struct Mark {
+  double s = 0.0;  // arc length at rest, on the rod
+  int cable = 0;
+  int end = 0;  // of the cable: 0 for a, 1 for b
+};
+
+// Two marks next to each other on a rod, the second `apart` further on; 0 for the same place.
+struct MarkPair {
+  Mark first{};
+  Mark second{};
+  int rod = 0;
+  double apart = 0.0;
+};
+
+// Rod by rod, along each, on a closed one across its seam as well. along: the rods' arc lengths.
+std::vector<MarkPair> neighbouring_marks(const std::vector<springs::Cable>& cables,
+                                         const std::vector<geometry::ArcLength>& along);
+
 // Where a cable passes a rod: where it is nearest to some stretch of the rod.
 struct CablePass {
   int cable = 0;

@@ -3,10 +3,11 @@
 
 #include <string>
 
-namespace tencer::model {
+namespace tencer::core {
 
+// "1 cable", "2 cables"
 inline std::string counted(int count, const std::string& thing) {
   return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
 }
 
-}  // namespace tencer::model
+}  // namespace tencer::core
