@@ -269,7 +269,9 @@ std::string picture_svg(const model::Feasibility& feasibility) {
   for (Eigen::Index i = 0; i < arrows.tails.cols(); ++i)
     add_arrow(frame.view(arrows.tails.col(i)), frame.view(arrows.tips.col(i)), pieces);
   std::ranges::stable_sort(pieces, {}, &Piece::depth);
-  std::string title = "How rods move with all cables tied that are allowed";
+  std::string title = feasibility.apart.empty()
+                          ? "How rods move with all cables tied that are allowed"
+                          : "How rods that lie apart are drawn together";
   if (arrows.times > 1) title += ", " + number(arrows.times) + " times as far";
   return drawn(frame, title, pieces);
 }

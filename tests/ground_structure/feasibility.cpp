@@ -110,6 +110,45 @@ TEST_CASE("rods at rest need no tensions, and none are found where there are no 
   CHECK(alone->tensions.set.empty());
 }
 
+TEST_CASE("rods that lie apart are drawn together by every cable between them") {
+  auto rings = std::vector<geometry::Polyline>(2, curves::ellipse(1.3, 1, 24));
+  rings[1].points.row(0).array() += 4;
+  const Case apart(make_model(rings));
+  const auto found = separation(apart.problem, apart.candidates);
+  REQUIRE(found);
+  CHECK(found->rods.size() == 1);
+  const double h = 1e-6 / found->motion.norm();
+  const auto ahead = apart.bare.displaced(apart.problem.start, h * found->motion);
+  const auto behind = apart.bare.displaced(apart.problem.start, -h * found->motion);
+  for (std::size_t c = 0; c < apart.candidates.size(); ++c) {
+    const auto& cable = apart.candidates[c].front().cable;
+    const bool between =
+        std::get<springs::OnRod>(cable.a).rod != std::get<springs::OnRod>(cable.b).rod;
+    const double rate = (apart.length(c, ahead) - apart.length(c, behind)) / (2 * h);
+    if (between)
+      CHECK(rate < -1e-9);
+    else
+      CHECK(std::abs(rate) < 1e-5);
+  }
+}
+
+TEST_CASE("rods that are linked, or lie within each other, can be tied") {
+  const Case linked(linked_ellipses());
+  CHECK_FALSE(separation(linked.problem, linked.candidates));
+  const Case nested(make_model({curves::ellipse(1.3, 1, 24), curves::ellipse(2.5, 2.2, 30)}));
+  CHECK_FALSE(separation(nested.problem, nested.candidates));
+  // Anchors about rods that lie apart hold each of them.
+  auto rings = std::vector<geometry::Polyline>(2, curves::ellipse(1.3, 1, 24));
+  rings[1].points.row(0).array() += 4;
+  Model model = make_model(rings);
+  Eigen::Matrix3Xd points(3, 48);
+  points << model.positions[0], model.positions[1];
+  model.structure.anchors =
+      geometry::enclosing_frame(geometry::FrameShape::cube, points, 0.05, false);
+  const Case hung(model);
+  CHECK_FALSE(separation(hung.problem, hung.candidates));
+}
+
 TEST_CASE("options of letting go are checked") {
   CHECK_THROWS_WITH((TiedRestOptions{.near_percent = -1}.validate()), Catch::Contains("near"));
   CHECK_THROWS_WITH((TiedRestOptions{.max_iterations = 0}.validate()), Catch::Contains("max"));

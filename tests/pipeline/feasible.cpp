@@ -84,6 +84,18 @@ TEST_CASE("a design of what cannot be held ends before the search") {
   CHECK(design.error().message.find("cables alone cannot hold this shape") == 0);
 }
 
+TEST_CASE("rods that lie apart cannot be tied to each other, but in a frame") {
+  auto rings = std::vector<geometry::Polyline>(2, curves::ellipse(32.5, 25, 30));
+  rings[1].points.row(2).array() += 20;
+  const auto found = pipeline::feasible(scene_of(rings));
+  REQUIRE(found);
+  CHECK(found->verdict == Verdict::cannot);
+  CHECK(found->apart.size() == 1);
+  REQUIRE(mend(*found, "frame"));
+  CHECK(mend(*found, "frame")->helps);
+  CHECK(reason(*found).find("lies apart from the others") != std::string::npos);
+}
+
 TEST_CASE("a rule that is in the way is found by lifting it") {
   model::Scene scene = trefoil_scene(60);
   const double size =

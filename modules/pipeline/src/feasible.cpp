@@ -55,6 +55,7 @@ double far_percent(const model::DesignSettings& settings) {
 struct Look {
   ground_structure::Relaxation relaxation{};
   ground_structure::TiedRest rest{};
+  std::optional<ground_structure::Separation> separation{};
 };
 
 std::optional<Look> look(const Problem& problem, const ground_structure::TiedRestOptions& options) {
@@ -64,7 +65,8 @@ std::optional<Look> look(const Problem& problem, const ground_structure::TiedRes
   auto first = ground_structure::relaxation(bare, problem.start, candidates);
   if (!first) return std::nullopt;
   auto rest = ground_structure::tied_rest(problem, candidates, *first, options);
-  return Look{std::move(*first), std::move(rest)};
+  auto separation = ground_structure::separation(problem, candidates);
+  return Look{std::move(*first), std::move(rest), std::move(separation)};
 }
 
 // With cables between neighbours only where there are many rods: where these are enough, so are
@@ -77,12 +79,16 @@ std::optional<Look> look_at_neighbours_first(const Problem& problem,
     fewer.candidates =
         ground_structure::among_neighbours(problem.candidates, problem.target.points);
     auto found = look(fewer, options);
-    if (found && found->rest.rests && found->rest.max_percent <= options.near_percent) return found;
+    const bool holds = found && !found->separation && found->rest.rests &&
+                       found->rest.max_percent <= options.near_percent;
+    if (holds) return found;
   }
   return look(problem, options);
 }
 
-Verdict verdict_of(const ground_structure::TiedRest& rest, const model::DesignSettings& settings) {
+Verdict verdict_of(const Look& look, const model::DesignSettings& settings) {
+  const ground_structure::TiedRest& rest = look.rest;
+  if (look.separation) return Verdict::cannot;
   if (rest.rests && rest.max_percent <= settings.max_error) return Verdict::can;
   return rest.proves_motion() && rest.max_percent > far_percent(settings) ? Verdict::cannot
                                                                           : Verdict::unclear;
@@ -100,6 +106,24 @@ std::vector<Eigen::Matrix3Xd> motions_of(const Problem& problem, const model::St
   return motions;
 }
 
+// The same of rods that are drawn together: the largest is a tenth of the target's size.
+std::vector<Eigen::Matrix3Xd> motions_of(const Problem& problem, const Eigen::VectorXd& motion,
+                                         double length) {
+  const equilibrium::System bare(problem.structure);
+  std::vector<Eigen::Matrix3Xd> motions;
+  double largest = 0;
+  for (int r = 0; r < static_cast<int>(problem.structure.rods.size()); ++r) {
+    Eigen::Matrix3Xd& own =
+        motions.emplace_back(Eigen::Matrix3Xd::Zero(3, problem.structure.rods[r].vertices()));
+    for (int v = 0; v < own.cols(); ++v)
+      for (int axis = 0; axis < 3; ++axis)
+        if (const int at = bare.position_index(r, v, axis); at >= 0) own(axis, v) = motion[at];
+    largest = std::max(largest, own.colwise().norm().maxCoeff());
+  }
+  for (auto& own : motions) own *= 0.1 * model::diagonal(problem.target) * length / largest;
+  return motions;
+}
+
 void fill(const Problem& problem, const Look& look, double length, Feasibility& result) {
   const double diagonal = model::diagonal(problem.target);
   result.cables = static_cast<int>(problem.candidates.size());
@@ -111,6 +135,10 @@ void fill(const Problem& problem, const Look& look, double length, Feasibility& 
   const double energy = equilibrium::System(problem.structure).energy(problem.start);
   result.power = energy != 0 ? look.relaxation.power / std::abs(energy) : 0;
   result.motions = motions_of(problem, look.rest.state, length);
+  if (look.separation) {
+    result.motions = motions_of(problem, look.separation->motion, length);
+    result.apart = look.separation->rods;
+  }
 }
 
 // What does not help need not be proved not to.
@@ -124,7 +152,8 @@ Trial trial_of(const model::Scene& scene, const FeasibleOptions& options) {
         look_at_neighbours_first(prepared->problem, {.near_percent = scene.design.max_error,
                                                      .max_iterations = few_iterations,
                                                      .stop = options.stop});
-    return tried ? std::optional(tried->rest.max_percent) : std::nullopt;
+    if (!tried || tried->separation) return std::nullopt;
+    return tried->rest.max_percent;
   };
 }
 
@@ -151,7 +180,7 @@ core::Expected<Feasibility> feasible(const model::Scene& scene, const FeasibleOp
                        "the rods' stiffness at the target is not finite; space its "
                        "points more evenly"};
   fill(problem, *found, length, result);
-  result.verdict = verdict_of(found->rest, scene.design);
+  result.verdict = verdict_of(*found, scene.design);
   result.warnings = target_warnings(coarse, problem.structure, problem.start, length);
   if (result.verdict != Verdict::can && options.mends)
     result.mends = try_mends(coarse, trial_of(scene, options));

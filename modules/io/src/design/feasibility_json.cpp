@@ -45,6 +45,7 @@ std::string feasibility_text(const model::Feasibility& feasibility) {
                      {"lengthening", feasibility.lengthening},
                      {"unbalanced", feasibility.unbalanced},
                      {"power", feasibility.power},
+                     {"apart", feasibility.apart},
                      {"vertices", feasibility.vertices},
                      {"cables", feasibility.cables},
                      {"warnings", feasibility.warnings},

@@ -29,12 +29,25 @@ std::string motion(const Feasibility& feasibility) {
          (beyond ? " of the target's size" : " of the target's size away");
 }
 
+// Rods that nothing keeps from the others.
+std::string separation(const Feasibility& feasibility) {
+  const std::vector<int>& rods = feasibility.apart;
+  const bool one = rods.size() == 1;
+  std::string text = one ? "rod" : "rods";
+  for (std::size_t i = 0; i < rods.size(); ++i)
+    text += (i == 0 ? " " : i + 1 < rods.size() ? ", " : " and ") + std::to_string(rods[i]);
+  return text + (one ? " lies" : " lie") +
+         " apart from the others: every cable between them draws " + (one ? "it" : "them") +
+         " there, and no cable keeps " + (one ? "it" : "them") + " away";
+}
+
 }  // namespace
 
 std::string reason(const Feasibility& feasibility) {
   const auto helps = std::ranges::find_if(feasibility.mends, &Mend::helps);
-  std::string text =
-      "cables alone cannot hold this shape: even " + motion(feasibility) + ", lengthening none";
+  std::string text = "cables alone cannot hold this shape: ";
+  text += feasibility.apart.empty() ? "even " + motion(feasibility) + ", lengthening none"
+                                    : separation(feasibility);
   if (helps != feasibility.mends.end())
     return text + "; what would: " + helps->change + " (" + percent(helps->percent) + ")";
   return text + "; nothing that was tried mends it, tencer feasible says what";
@@ -52,6 +65,10 @@ std::string report(const Feasibility& feasibility) {
            << " is asked; cables of other lengths may come closer, and a design will show it\n";
       break;
     case Verdict::cannot:
+      if (!feasibility.apart.empty()) {
+        text << "cannot be held: " << separation(feasibility) << '\n';
+        break;
+      }
       text << "cannot be held " << asked << ": " << motion(feasibility) << '\n'
            << "  on the way they lose " << percent(100 * feasibility.released)
            << " of their energy, and no cable is longer there by more than "

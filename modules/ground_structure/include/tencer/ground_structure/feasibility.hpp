@@ -74,4 +74,19 @@ struct TiedRestOptions {
 TiedRest tied_rest(const Problem& problem, const std::vector<CandidateOrbit>& candidates,
                    const Relaxation& first, const TiedRestOptions& options = {});
 
+// Rods that lie apart from the others: every cable from them to the others, or to anchors, draws
+// them there, and no cable can keep them away.
+struct [[nodiscard]] Separation {
+  std::vector<int> rods{};
+  // A motion of the free unknowns, rigid for each rod, that shortens all these cables and lengthens
+  // none of the others: the proof (Gordan's theorem).
+  Eigen::VectorXd motion{};
+};
+
+// The first rods, or groups of them that can be tied among themselves, that no tensions can tie to
+// the others, since these would not balance on them as a body; none: there are none. candidates: as
+// above.
+std::optional<Separation> separation(const Problem& problem,
+                                     const std::vector<CandidateOrbit>& candidates);
+
 }  // namespace tencer::ground_structure

@@ -33,6 +33,9 @@ struct Feasibility {
   bool rests = false;        // false: there they were still moving
   double released = 0.0;     // part of their energy that the rods have lost on the way
   double lengthening = 0.0;  // of the cable that is longer there by most, relative
+  // Rods that every cable to the others draws to these, with no way to keep them apart; empty: none
+  // are. The motions are then these rods' towards the others, a tenth of the target's size.
+  std::vector<int> apart{};
   // To first order, at the target: the dual of the balance of forces.
   double unbalanced = 0.0;  // how far the forces that no tensions balance move the rods, %
   double power = 0.0;       // energy that the rods lose by that motion, of that at the target
