@@ -19,17 +19,22 @@ using network::Network;
 
 namespace {
 
-// Whether the answer is better, or what to go on from nearer to standing.
+// Whether the answer is better by more than distance within the accepted error, or what to go on
+// from nearer to standing.
 bool improved(const ParetoArchive& before, const ParetoArchive& after, const model::Goal& goal) {
-  constexpr double clearly = 0.95;
+  constexpr double clearly = 0.9;
   const Solution* best = before.best_for(goal);
   if (!best) return false;
-  const Solution& base = *before.base_for(goal);
-  const Solution& next = *after.base_for(goal);
-  return goal.improves(after.best_for(goal)->score(), best->score()) ||
-         (base.standing.footing == model::Footing::keeps &&
-          next.standing.footing == model::Footing::keeps &&
-          next.standing.deviation < clearly * base.standing.deviation);
+  const model::Score old_score = best->score();
+  const model::Score new_score = after.best_for(goal)->score();
+  const bool only_closer = !goal.by_number() && goal.met(old_score) &&
+                           new_score.cables == old_score.cables &&
+                           new_score.footing == old_score.footing;
+  if (!only_closer && goal.improves(new_score, old_score)) return true;
+  const Standing& base = before.base_for(goal)->standing;
+  const Standing& next = after.base_for(goal)->standing;
+  return base.footing == model::Footing::keeps && next.footing == model::Footing::keeps &&
+         next.deviation < clearly * base.deviation;
 }
 
 }  // namespace

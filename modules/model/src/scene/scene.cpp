@@ -62,6 +62,7 @@ std::optional<std::string> crossing(const Scene& scene) {
 
 double chosen_radius(const std::vector<geometry::Polyline>& curves, const Material& material) {
   constexpr double slender = 1e-3;  // of the longest
+  constexpr double left = 0.8;      // of the strain: between cables the rod bends further
   double longest = 0.0;
   double curvature = 0.0;
   for (const auto& curve : curves) {
@@ -74,8 +75,8 @@ double chosen_radius(const std::vector<geometry::Polyline>& curves, const Materi
     if (bends.size() > 0) curvature = std::max(curvature, bends.maxCoeff());
   }
   const double most = slender * longest;
-  return two_digits(curvature * most > material.strain_limit ? material.strain_limit / curvature
-                                                             : most);
+  const double strain = left * material.strain_limit;
+  return two_digits(curvature * most > strain ? strain / curvature : most);
 }
 
 Scene scene_of(const std::vector<geometry::Polyline>& curves, std::string name,

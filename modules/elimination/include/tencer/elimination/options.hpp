@@ -100,7 +100,7 @@ struct FitOptions {
   double min_round_gain = 0.05;
   // Networks of an elimination with more cables than the fewest within the error that are fitted
   // while none stands.
-  int further = 3;
+  int further = 2;
   double power = 8;  // of the norm that stands for the largest distance
   // What does not stand may once it resists its softest motions more: these are tried one after the
   // other. The objective's unit of distance is never smaller than this part of the error accepted.

@@ -46,8 +46,8 @@ void add_rod(Scene& scene, const geometry::Polyline& curve,
 std::optional<std::string> crossing(const Scene& scene);
 
 // The radius of all round rods of a scene that says nothing of it, so that they can be built: the
-// largest of two digits with which no bend of a curve, corners apart, strains the material beyond
-// what it holds for long, and at most 1/1000 of the longest curve. Units of the curves.
+// largest of two digits with which no bend of a curve, corners apart, strains the material by more
+// than 0.8 of what it holds for long, and at most 1/1000 of the longest curve. Units of the curves.
 double chosen_radius(const std::vector<geometry::Polyline>& curves, const Material& material);
 
 // The scene of bare curves with every default: round rods of one stock, of the radius above.
