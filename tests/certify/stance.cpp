@@ -1,4 +1,6 @@
 // What structures stand on.
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -110,6 +110,10 @@ std::string summary(const Design& design) {
     text << (*certificate.settles_from_target
                  ? "let go at the target it comes to rest in this pose\n"
                  : "let go at the target it comes to rest elsewhere\n");
+  if (!design.check)
+    text << (design.structure.line_loads.empty()
+                 ? "weight: left out of the pose (tencer check tells what it does)\n"
+                 : "weight: the pose has it, among the design's loads\n");
   if (design.check) text << lines(*design.check, {design.length_unit, design.force_unit});
   return text.str();
 }
