@@ -5,6 +5,7 @@
 #include <tencer/core/error.hpp>
 #include <tencer/equilibrium/modal.hpp>
 #include <tencer/ground_structure/balanced_tensions.hpp>
+#include <tencer/ground_structure/feasibility.hpp>
 #include <tencer/ground_structure/force_balance.hpp>
 #include <tencer/network/rest_length.hpp>
 #include <tencer/network/stage_recorder.hpp>
@@ -185,6 +186,29 @@ class Run {
     return tied.pulling ? tied : best;
   }
 
+  // The candidates that pull where the rods rest with all of them tied: it does not buckle, but has
+  // far more cables.
+  Balanced tied_at_rest() {
+    Balanced best{.network = problem_.bare()};
+    const auto first = relaxation(equilibrium::System(problem_.structure), problem_.start, orbits_);
+    if (!first) return best;
+    const TiedRest rest =
+        tied_rest(problem_, orbits_, *first,
+                  {.near_percent = 2 * options_.max_error_percent, .stop = control_.stop});
+    const linalg::Nonnegative pulling = pulling_at(rest);
+    if (pulling.set.empty()) return best;
+    Network at_rest = problem_.bare();
+    at_rest.state = rest.state;
+    for (const double rest_ratio : {0.999, 0.99}) {
+      Balanced next{.network = stabilised(at_rest, pulling, rest_ratio)};
+      next.pulling = solve_pulling(next.network, Slack::left_out);
+      next.percent = percent_of(next.network);
+      if (next.pulling && next.percent < best.percent) best = std::move(next);
+      if (best.pulling) break;
+    }
+    return best;
+  }
+
   const network::SolveCounts& counts() const { return counts_; }
 
  private:
@@ -236,6 +260,22 @@ class Run {
     return best;
   }
 
+  static linalg::Nonnegative pulling_at(const TiedRest& rest) {
+    constexpr double slack = 1e-6;  // of the largest tension
+    linalg::Nonnegative result;
+    if (!rest.rests || rest.tied.empty()) return result;
+    const double least = slack * rest.tensions.maxCoeff();
+    std::vector<double> tensions;
+    for (std::size_t i = 0; i < rest.tied.size(); ++i)
+      if (const double tension = rest.tensions[static_cast<Eigen::Index>(i)]; tension > least) {
+        result.set.push_back(rest.tied[i]);
+        tensions.push_back(tension);
+      }
+    result.values =
+        Eigen::Map<Eigen::VectorXd>(tensions.data(), static_cast<Eigen::Index>(tensions.size()));
+    return result;
+  }
+
   // With ties that hardly stretch.
   Network stiffened(Network network, double rest_ratio) const {
     const Eigen::VectorXd lengths = cable_lengths(network);
@@ -275,6 +315,7 @@ class Run {
     const Eigen::VectorXd tensions = cable_tensions(network);
     equilibrium::SolveOptions solve = control_.solve;
     solve.stop = control_.stop;
+    solve.max_path_rotation = 1;  // radians: beyond it the rods have gone elsewhere
     for (int round = 0; round < max_rounds; ++round) {
       auto solved = equilibrium::solve(equilibrium::System(network.structure),
                                        slack == Slack::tightened ? network.state : start, solve);
@@ -337,6 +378,11 @@ network::StageResult force_balance(const Problem& problem, const symmetry::Group
       result.network = std::move(next.network);
     if (next.pulling) closest = std::min(closest, next.percent);
     if (closest < slipped || recorder.stopped()) break;
+  }
+  // All candidates that are tied at once are those of no symmetry.
+  if (!symmetry && closest >= slipped && !recorder.stopped()) {
+    auto next = run.tied_at_rest();
+    if (next.pulling && next.percent < closest) result.network = std::move(next.network);
   }
   recorder.add(run.counts());
   recorder.finish(result, problem.target);

@@ -130,7 +130,9 @@ class Tying {
   // Where the rods come to rest with result.tied, into the result; by how much all candidates are
   // longer there.
   Eigen::VectorXd settle(TiedRest& result) {
-    const equilibrium::System system(with_cables(problem_.structure, springs(result.tied)));
+    auto cables = problem_.structure.cables;
+    for (auto& cable : springs(result.tied)) cables.push_back(std::move(cable));
+    const equilibrium::System system(with_cables(problem_.structure, std::move(cables)));
     auto rest = equilibrium::solve(system, start_,
                                    {.tolerance = 1e-8,
                                     .max_iterations = std::max(1, options_.max_iterations / 4),
@@ -141,6 +143,8 @@ class Tying {
     result.rests = rest.usable() || rest.reason == equilibrium::Reason::neutral ||
                    rest.reason == equilibrium::Reason::uncertain;
     result.state = std::move(rest.state);
+    result.tensions = system.internal_forces(result.state)
+                          .tension.tail(static_cast<Eigen::Index>(result.tied.size()));
     result.max_percent = sensitivity::deviation(problem_.target, result.state).max_percent;
     const double released = energy_ - bare_.energy(result.state);
     result.released = energy_ != 0 ? released / std::abs(energy_) : 0;
@@ -153,7 +157,7 @@ class Tying {
   const Relaxation& first_;
   const TiedRestOptions& options_;
   equilibrium::System bare_;
-  equilibrium::System all_;  // with every candidate, its rest length that at the target
+  equilibrium::System all_;  // with every candidate alone, its rest length that at the target
   model::State start_;
   double energy_;
   double stiffness_ = 0;

@@ -48,11 +48,12 @@ struct [[nodiscard]] TiedRest {
   static constexpr double allowed_lengthening = 3e-3;
 
   model::State state{};
-  bool rests = false;        // false: `state` is where it was given up
-  double max_percent = 0.0;  // distance from the target, in % of its diagonal
-  double released = 0.0;     // part of the rods' energy at the target that they lose on the way
-  double lengthening = 0.0;  // the largest of all candidates, relative to their lengths
-  std::vector<int> tied{};   // of the candidates: those that had to be tied
+  bool rests = false;          // false: `state` is where it was given up
+  double max_percent = 0.0;    // distance from the target, in % of its diagonal
+  double released = 0.0;       // part of the rods' energy at the target that they lose on the way
+  double lengthening = 0.0;    // the largest of all candidates, relative to their lengths
+  std::vector<int> tied{};     // of the candidates: those that had to be tied
+  Eigen::VectorXd tensions{};  // with which these pull, >= 0; most do not
 
   // Whether no candidate was lengthened on the way to a lower energy.
   bool proves_motion() const { return released > 0 && lengthening <= allowed_lengthening; }

@@ -30,8 +30,10 @@ struct ForceBalanceOptions {
 // of rods and loads at the target, column c of A what a unit of tension in candidate c does to the
 // vertices, and M the metric of balanced_tensions.hpp. Candidates without tension are left out.
 // When the network is not stable there with cables that hardly stretch, those that resist its
-// unstable motions most are added. The result's state is the equilibrium found from problem.start.
-// Cables that problem.structure has come first in the result and stay as they are.
+// unstable motions most are added. Where no such network holds the rods near the target, those
+// cables are taken that pull where the rods rest with all candidates tied (feasibility.hpp),
+// without symmetry. The result's state is the equilibrium found from problem.start. Cables that
+// problem.structure has come first in the result and stay as they are.
 //
 // symmetry: null, or a group of the structure and the target (problem.symmetry or another);
 // candidates then come with their images, and share their tension. Throws std::invalid_argument for
