@@ -4,6 +4,7 @@
 #include <span>
 #include <tencer/certify/free_motions.hpp>
 #include <tencer/ground_structure/candidates.hpp>
+#include <tencer/ground_structure/feasibility.hpp>
 #include <tencer/ground_structure/force_balance.hpp>
 #include <tencer/network/rest_length.hpp>
 #include <tencer/pipeline/simulate.hpp>
@@ -29,7 +30,8 @@ model::Structure springs_of(const RestPose& pose) {
 struct Found {
   Simulation rest{};
   double tension = 1.0;  // see Way
-  bool good = false;     // it forgives errors, to first order, and all cables pull well
+  // It forgives errors, to first order, all cables pull well, and it stands with finer rods too.
+  bool good = false;
 
   int cables() const { return static_cast<int>(rest.design.structure.cables.size()); }
 };
@@ -57,6 +59,18 @@ class Ties {
 
   core::Expected<Cables> candidates() const {
     return ground_structure::candidates(problem_.structure, problem_.target.points, problem_.rules);
+  }
+
+  // Rods that cables only draw to others, in words; empty: there are none.
+  std::string apart(const Cables& candidates) const {
+    const auto orbits = ground_structure::candidate_orbits(equilibrium::System(problem_.structure),
+                                                           problem_.start, candidates, nullptr);
+    const auto found = ground_structure::separation(problem_, orbits);
+    if (!found) return {};
+    std::string text = "every cable that could tie rod";
+    for (std::size_t i = 0; i < found->rods.size(); ++i)
+      text += (i > 0 ? ", " : found->rods.size() > 1 ? "s " : " ") + std::to_string(found->rods[i]);
+    return text + " to anything draws it there, and none keeps it away";
   }
 
   // With the fewest of the candidates; good ones first. Less tension where the full one moves it
@@ -134,7 +148,11 @@ class Ties {
         std::ranges::minmax(rest->design.built, {}, &model::BuiltCable::tension);
     const bool pulls = least.tension >= weakest * most.tension;
     const bool forgives = tolerated && tolerated->percentile_95 <= tolerated->max_deviation;
-    return Found{.rest = std::move(*rest), .tension = way.tension, .good = pulls && forgives};
+    Found found{.rest = std::move(*rest), .tension = way.tension};
+    if (!pulls || !forgives) return found;
+    const auto finer = simulate(found.rest.design, {.refine = 2, .solve = {.stop = options_.stop}});
+    found.good = finer && finer->stays();
+    return found;
   }
 
   // The design with the cables that the network has beside its own, those between the same places
@@ -188,6 +206,7 @@ Repaired repair(const RestPose& pose, double allowed, const CheckOptions& option
   Ties ties(pose, allowed, options);
   const auto candidates = ties.candidates();
   if (!candidates) return cannot(candidates.error().text());
+  if (std::string why = ties.apart(*candidates); !why.empty()) return cannot(std::move(why));
   auto found = ties.among(*candidates);
   if (!found)
     return cannot(
