@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <string>
+#include <tencer/equilibrium/solve.hpp>
 #include <tencer/model/frames.hpp>
 #include <tencer/model/resolution.hpp>
 #include <tencer/model/units.hpp>
@@ -170,6 +171,16 @@ Design certified(const Task& task, const Network& network, const RunOptions& opt
   return design;
 }
 
+// A network that was not solved for yet when the search was stopped, where it comes to rest: only
+// there is it as far from the target as it is.
+Network solved(Network network) {
+  constexpr double balanced = 1e-6;
+  const equilibrium::System system(network.structure);
+  if (equilibrium::residual(system, network.state) > balanced)
+    network.state = equilibrium::solve(system, network.state).state;
+  return network;
+}
+
 // The networks certified one after the other, from the one asked for on, until one stands; else the
 // first of the best footing. One that is much further from the target than another is no better.
 // Its row of the trace comes last.
@@ -225,7 +236,7 @@ core::Expected<Design> design(const model::Scene& scene, const RunOptions& optio
   if (!task) return task.error();
   const Outcome outcome = run_method(*task, false, options);
   if (!outcome.interrupted) return first_answer(*task, outcome, options);
-  Design best = recorded(*task, outcome.networks[outcome.asked]);
+  Design best = recorded(*task, solved(outcome.networks[outcome.asked]));
   best.trace = outcome.trace;
   best.status = model::DesignStatus::interrupted;
   return best;
