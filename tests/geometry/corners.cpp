@@ -78,3 +78,12 @@ TEST_CASE("a curve with noise is rough") {
   CHECK(is_rough(shaken(trefoil(120), 0.08)));
   CHECK_FALSE(is_rough(shaken(trefoil(120), 0.0005)));
 }
+
+TEST_CASE("noise has a place where it is worst") {
+  Polyline curve = shaken(trefoil(120), 0.01);
+  curve.points.col(37) +=
+      4 * (curve.points.col(38) - curve.points.col(37)).norm() * Eigen::Vector3d(0.05, 0.05, 0.1);
+  const auto worst = roughest(curve);
+  CHECK(std::abs(worst.vertex - 37) <= 2);
+  CHECK(worst.s == Approx(edge_lengths(curve).head(worst.vertex).sum()));
+}

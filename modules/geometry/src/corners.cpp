@@ -39,6 +39,15 @@ bool stands_alone(const Eigen::Matrix3Xd& turns, bool closed, Eigen::Index b) {
   return neighbours > 0 && angle_of(turns.col(b)) * neighbours > far * sum;
 }
 
+// Calls visit(before, b) for neighbouring bending vertices, corners that stand alone left out.
+template <class Visit>
+void for_each_pair(const Eigen::Matrix3Xd& turns, bool closed, Visit&& visit) {
+  for (Eigen::Index b = closed ? 0 : 1; b < turns.cols(); ++b) {
+    const Eigen::Index before = (b + turns.cols() - 1) % turns.cols();
+    if (!stands_alone(turns, closed, b) && !stands_alone(turns, closed, before)) visit(before, b);
+  }
+}
+
 }  // namespace
 
 double total_turning(const Polyline& curve) {
@@ -67,18 +76,29 @@ bool is_rough(const Polyline& curve) {
   constexpr int few = 12;
   constexpr double slight = 1 * degree;
   if (curve.vertices() < few) return false;
-  const Eigen::Matrix3Xd turn = turns(curve);
   double squares = 0;
   double changes = 0;
   int pairs = 0;
-  for (Eigen::Index b = curve.closed ? 0 : 1; b < turn.cols(); ++b) {
-    const Eigen::Index before = (b + turn.cols() - 1) % turn.cols();
-    if (stands_alone(turn, curve.closed, b) || stands_alone(turn, curve.closed, before)) continue;
+  const Eigen::Matrix3Xd turn = turns(curve);
+  for_each_pair(turn, curve.closed, [&](Eigen::Index before, Eigen::Index b) {
     squares += (turn.col(b).squaredNorm() + turn.col(before).squaredNorm()) / 2;
     changes += (turn.col(b) - turn.col(before)).squaredNorm();
     ++pairs;
-  }
+  });
   return squares > slight * slight * pairs && changes > squares;
+}
+
+Corner roughest(const Polyline& curve) {
+  Corner worst;
+  const Eigen::Matrix3Xd turn = turns(curve);
+  for_each_pair(turn, curve.closed, [&](Eigen::Index before, Eigen::Index b) {
+    const double angle = angle_of(turn.col(b) - turn.col(before));
+    if (angle <= worst.angle) return;
+    worst.vertex = static_cast<int>(curve.closed ? b : b + 1);
+    worst.angle = angle;
+  });
+  worst.s = edge_lengths(curve).head(worst.vertex).sum();
+  return worst;
 }
 
 }  // namespace tencer::geometry

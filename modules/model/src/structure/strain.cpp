@@ -79,10 +79,18 @@ std::optional<std::string> shape_problem(const Structure& structure, std::size_t
                                          const Eigen::Matrix3Xd& target,
                                          std::string_view length_unit) {
   if (structure.rods[rod].rest_curvature.size() > 0) return std::nullopt;
-  if (geometry::is_rough({target, structure.rods[rod].closed}))
-    return "rod " + std::to_string(rod) +
-           " has a rough target: its curvature changes from one vertex to the next by more than it "
-           "is large, which no rod follows; smooth the curve";
+  const geometry::Polyline curve{target, structure.rods[rod].closed};
+  if (geometry::is_rough(curve)) {
+    std::ostringstream text;
+    text.precision(3);
+    text
+        << "rod " << rod
+        << " has a rough target: its curvature changes from one vertex to the next by more than it "
+           "is large, most at arc length "
+        << geometry::roughest(curve).s << ' ' << length_unit
+        << ", which no rod follows; smooth the curve";
+    return text.str();
+  }
   return corner_problem(structure, rod, target, length_unit);
 }
 

@@ -24,4 +24,8 @@ std::vector<Corner> corners(const Polyline& curve);
 // than 12 vertices, nor where turns are below a degree.
 bool is_rough(const Polyline& curve);
 
+// The vertex at which the turn differs most from that at the vertex before, corners that stand
+// alone left out, with this difference as its angle. For curves that are rough.
+Corner roughest(const Polyline& curve);
+
 }  // namespace tencer::geometry
