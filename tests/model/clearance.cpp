@@ -127,3 +127,24 @@ TEST_CASE("Gaps are not negative") {
   CHECK_THROWS_AS(model::CablePasses(rods.structure, rods.state, {.clearance = -1}),
                   std::invalid_argument);
 }
+
+TEST_CASE("Marks are paired along their rod, across the seam of a closed one") {
+  der::Rod ring = straight_rod(20, 10);
+  ring.closed = true;
+  model::Structure structure;
+  structure.rods = {ring, straight_rod(20, 10)};
+  const std::vector<springs::Cable> cables{
+      {.a = springs::OnRod{0, 9.5}, .b = springs::OnRod{1, 2}},
+      {.a = springs::OnRod{1, 7}, .b = springs::OnRod{0, 11}},  // wraps to 1
+      {.a = springs::OnRod{0, 4}, .b = springs::AtAnchor{0}}};
+  const auto pairs = model::neighbouring_marks(cables, arc_lengths(structure));
+  REQUIRE(pairs.size() == 4);
+  CHECK(pairs[0].apart == Approx(3));    // 1 to 4
+  CHECK(pairs[1].apart == Approx(5.5));  // 4 to 9.5
+  CHECK(pairs[2].apart == Approx(1.5));  // 9.5 to 1
+  CHECK(pairs[2].first.cable == 0);
+  CHECK(pairs[2].second.cable == 1);
+  CHECK(pairs[2].second.end == 1);
+  CHECK(pairs[3].rod == 1);
+  CHECK(pairs[3].apart == Approx(5));
+}

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <tencer/certify/own_weight.hpp>
 #include <tencer/model/units.hpp>
 
@@ -19,11 +20,12 @@ std::optional<model::Sag> told(const certify::Sag& sag, const RestPose& pose) {
 
 model::OwnWeight own_weight(const RestPose& pose, const CheckOptions& options) {
   constexpr double gravity = 9.81;  // m/s^2
-  constexpr int tries = 24;
   if (!pose.structure.line_loads.empty()) return {.included = true};
   // Masses are in force s^2 / length^2, so the acceleration is in lengths.
   const double metre = model::metres(pose.design.length_unit) * pose.scaling.scale.length;
   const Eigen::VectorXd weight = gravity / metre * mass_per_length(pose);
+  // Altogether about as many as it takes to find a good one, whatever the number of rods.
+  const int tries = std::clamp(96 / static_cast<int>(pose.structure.rods.size()), 2, 24);
   model::OwnWeight result;
   const certify::Sag hung = certify::own_weight_sag(pose.structure, pose.state, pose.tensions,
                                                     weight, tries, options.stop);
