@@ -47,7 +47,7 @@ core::Expected<ExitCode> run_feasible(const FeasibleRequest& request) {
   const Interrupt interrupt;
   const auto found = pipeline::feasible(*scene, {.stop = interrupt.token()});
   if (!found) return found.error();
-  if (!request.output.empty())
+  if (!request.output.empty() && !found->targets.empty())
     if (const auto error = write_feasibility_files(request.output, *found)) return *error;
   std::cout << model::report(*found);
   return found->verdict == model::Verdict::can ? ExitCode::ok : ExitCode::tolerance_not_reached;

@@ -125,3 +125,17 @@ TEST_CASE("noise is mended by smoothing") {
   REQUIRE(mend(*found, "smoothed"));
   CHECK(mend(*found, "smoothed")->helps);
 }
+
+TEST_CASE("very many rods are left to the search") {
+  std::vector<geometry::Polyline> rings(30, curves::ellipse(32.5, 25, 24));
+  for (std::size_t r = 0; r < rings.size(); ++r)
+    rings[r].points.row(0).array() += 40 * static_cast<double>(r);
+  for (std::size_t r = 1; r < rings.size(); r += 2)
+    rings[r].points.row(1).swap(rings[r].points.row(2));
+  const auto found = pipeline::feasible(scene_of(rings));
+  REQUIRE(found);
+  CHECK(found->verdict == Verdict::unclear);
+  CHECK(found->cables == 0);
+  CHECK(found->targets.empty());
+  CHECK(report(*found).find("unclear: so many rods") == 0);
+}

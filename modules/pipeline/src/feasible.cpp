@@ -160,8 +160,18 @@ Trial trial_of(const model::Scene& scene, const FeasibleOptions& options) {
 }  // namespace
 
 core::Expected<Feasibility> feasible(const model::Scene& scene, const FeasibleOptions& options) {
+  // Of all rods: more are not tied at once, as its time grows with their cube.
+  constexpr int max_vertices = 700;
   const auto begin = std::chrono::steady_clock::now();
   const model::Scene coarse = with_few_vertices(scene);
+  int vertices = 0;
+  for (const auto& rod : coarse.structure.rods) vertices += rod.vertices();
+  if (vertices > max_vertices)
+    return Feasibility{.name = scene.name,
+                       .length_unit = scene.length_unit,
+                       .verdict = Verdict::unclear,
+                       .max_error = scene.design.max_error,
+                       .vertices = vertices};
   const auto prepared = prepare(coarse);
   if (!prepared) return prepared.error();
   const Problem& problem = prepared->problem;
@@ -169,8 +179,8 @@ core::Expected<Feasibility> feasible(const model::Scene& scene, const FeasibleOp
   Feasibility result{.name = scene.name,
                      .length_unit = scene.length_unit,
                      .max_error = scene.design.max_error,
+                     .vertices = vertices,
                      .targets = target_curves(coarse)};
-  for (const auto& rod : problem.structure.rods) result.vertices += rod.vertices();
   const auto found =
       look_at_neighbours_first(problem, {.near_percent = scene.design.max_error,
                                          .max_iterations = max_iterations(result.targets),

@@ -55,6 +55,8 @@ std::string reason(const Feasibility& feasibility) {
 
 std::string report(const Feasibility& feasibility) {
   std::ostringstream text;
+  if (feasibility.cables == 0)
+    return "unclear: so many rods are not tied all at once; a design will show it\n";
   const std::string asked = "within " + percent(feasibility.max_error) + " of its size";
   switch (feasibility.verdict) {
     case Verdict::can:
