@@ -84,18 +84,28 @@ class Tying {
   }
 
   TiedRest run() {
+    constexpr int max_rounds = 12;
+    constexpr double allowed = TiedRest::allowed_lengthening;
     TiedRest result{.tied = first_.tensions.set};
-    for (;;) {
-      const Eigen::VectorXd longer = settle(result);
+    for (int round = 0; round < max_rounds; ++round) {
+      const Eigen::VectorXd longer = settle(start_, options_.max_iterations / 4, result);
       const bool near = result.rests && result.max_percent <= options_.near_percent;
       const auto more =
           most_lengthened(longer, result.tied, std::max<std::size_t>(100, result.tied.size()));
-      const bool done = more.empty() && result.lengthening <= TiedRest::allowed_lengthening;
+      const bool done = more.empty() && result.proves_motion();
       if (near || done || iterations_ >= options_.max_iterations || options_.stop.stop_requested())
-        return result;
-      if (longer(result.tied).maxCoeff() > TiedRest::allowed_lengthening) stiffness_ *= 4;
+        break;
+      // Springs that are stretched, or that have driven the rods by what they store.
+      const bool stretched =
+          std::ranges::any_of(result.tied, [&](int c) { return longer[c] > allowed; });
+      if (result.rests && (stretched || result.released < 0)) stiffness_ *= 4;
       result.tied.insert(result.tied.end(), more.begin(), more.end());
     }
+    // Given up on the way, it may be between two steps that lower the energy together.
+    const bool near = result.rests && result.max_percent <= options_.near_percent;
+    if (!near && !result.rests && !result.proves_motion() && !options_.stop.stop_requested())
+      settle(model::State(result.state), options_.max_iterations / 2, result);
+    return result;
   }
 
  private:
@@ -127,19 +137,17 @@ class Tying {
     return cables;
   }
 
-  // Where the rods come to rest with result.tied, into the result; by how much all candidates are
-  // longer there.
-  Eigen::VectorXd settle(TiedRest& result) {
+  // Where the rods come to rest from there with result.tied, into the result; by how much all
+  // candidates are longer there.
+  Eigen::VectorXd settle(model::State from, int iterations, TiedRest& result) {
     auto cables = problem_.structure.cables;
     for (auto& cable : springs(result.tied)) cables.push_back(std::move(cable));
     const equilibrium::System system(with_cables(problem_.structure, std::move(cables)));
-    auto rest = equilibrium::solve(system, start_,
-                                   {.tolerance = 1e-8,
-                                    .max_iterations = std::max(1, options_.max_iterations / 4),
-                                    .stop = options_.stop},
-                                   workspace_);
+    auto rest = equilibrium::solve(
+        system, std::move(from),
+        {.tolerance = 1e-8, .max_iterations = std::max(1, iterations), .stop = options_.stop},
+        workspace_);
     iterations_ += rest.iterations;
-    // What it is that costs nothing, or is not known exactly, need not hold the shape.
     result.rests = rest.usable() || rest.reason == equilibrium::Reason::neutral ||
                    rest.reason == equilibrium::Reason::uncertain;
     result.state = std::move(rest.state);
