@@ -189,7 +189,8 @@ core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Lo
   }
 
   const Interrupt interrupt;
-  const auto found = pipeline::feasible(*scene, {.stop = interrupt.token()});
+  const auto found = pipeline::feasible(
+      *scene, {.mends = pipeline::TryMends::if_it_cannot, .stop = interrupt.token()});
   if (!found) return found.error();
   if (found->verdict == model::Verdict::cannot) return refuse(folder, *found);
   const auto design = make_design(folder, *scene, request.trade_off,
@@ -203,7 +204,11 @@ core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Lo
   if (design->status == model::DesignStatus::interrupted)
     std::cout << "interrupted: this is the best design so far\n";
   else if (design->status == model::DesignStatus::tolerance_not_reached)
-    std::cout << shortfall(*design);
+    std::cout << shortfall(*design)
+              << (found->verdict == model::Verdict::unclear
+                      ? "whether cables can hold this so closely was " + model::summary(*found) +
+                            '\n'
+                      : "");
   else if (design->structure.cables.empty())
     std::cout << "the rods rest in this shape by themselves\n";
   std::cout << "see " << (folder / "view.html").string() << '\n';

@@ -69,7 +69,7 @@ TEST_CASE("a letter cannot be held by cables across it; what would hold it is tr
 }
 
 TEST_CASE("the motion is that of the proof: its largest is the distance that is told") {
-  const auto found = pipeline::feasible(letter(), {.mends = false});
+  const auto found = pipeline::feasible(letter(), {.mends = pipeline::TryMends::never});
   REQUIRE(found);
   const double size = (found->targets[0].points.rowwise().maxCoeff() -
                        found->targets[0].points.rowwise().minCoeff())

@@ -76,7 +76,7 @@ core::Expected<Task> begin(const model::Scene& scene, const RunOptions& options)
   }
   introduce(task, options);
   if (options.feasible_first) {
-    const auto found = feasible(scene, {.stop = options.stop});
+    const auto found = feasible(scene, {.mends = TryMends::if_it_cannot, .stop = options.stop});
     if (!found) return found.error();
     if (found->verdict == model::Verdict::cannot)
       return core::Error{scene.source, model::reason(*found)};

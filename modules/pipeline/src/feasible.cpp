@@ -141,6 +141,12 @@ void fill(const Problem& problem, const Look& look, double length, Feasibility& 
   }
 }
 
+bool asked_for(TryMends mends, Verdict verdict) {
+  if (mends == TryMends::never) return false;
+  return verdict == Verdict::cannot ||
+         (verdict == Verdict::unclear && mends == TryMends::unless_it_can);
+}
+
 // What does not help need not be proved not to.
 Trial trial_of(const model::Scene& scene, const FeasibleOptions& options) {
   return [&](const model::Scene& changed) -> std::optional<double> {
@@ -192,7 +198,7 @@ core::Expected<Feasibility> feasible(const model::Scene& scene, const FeasibleOp
   fill(problem, *found, length, result);
   result.verdict = verdict_of(*found, scene.design);
   result.warnings = target_warnings(coarse, problem.structure, problem.start, length);
-  if (result.verdict != Verdict::can && options.mends)
+  if (asked_for(options.mends, result.verdict))
     result.mends = try_mends(coarse, trial_of(scene, options));
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

@@ -53,31 +53,31 @@ std::string reason(const Feasibility& feasibility) {
   return text + "; nothing that was tried mends it, tencer feasible says what";
 }
 
-std::string report(const Feasibility& feasibility) {
-  std::ostringstream text;
-  if (feasibility.cables == 0)
-    return "unclear: so many rods are not tied all at once; a design will show it\n";
-  const std::string asked = "within " + percent(feasibility.max_error) + " of its size";
+std::string summary(const Feasibility& feasibility) {
+  const std::string asked = percent(feasibility.max_error);
   switch (feasibility.verdict) {
     case Verdict::can:
-      text << "can be held: " << motion(feasibility) << ", " << asked << '\n';
-      break;
+      return "can be held: " + motion(feasibility) + ", within " + asked + " of its size";
     case Verdict::unclear:
-      text << "unclear: " << motion(feasibility) << ", where " << percent(feasibility.max_error)
-           << " is asked; cables of other lengths may come closer, and a design will show it\n";
-      break;
+      if (feasibility.cables == 0) return "unclear: so many rods are not tied all at once";
+      return "unclear: " + motion(feasibility) + ", where " + asked +
+             " is asked; cables of other lengths may come closer";
     case Verdict::cannot:
-      if (!feasibility.apart.empty()) {
-        text << "cannot be held: " << separation(feasibility) << '\n';
-        break;
-      }
-      text << "cannot be held " << asked << ": " << motion(feasibility) << '\n'
-           << "  on the way they lose " << percent(100 * feasibility.released)
-           << " of their energy, and no cable is longer there by more than "
-           << percent(100 * feasibility.lengthening)
-           << " of itself: whichever of them are tied, this way is open\n";
       break;
   }
+  if (!feasibility.apart.empty()) return "cannot be held: " + separation(feasibility);
+  return "cannot be held within " + asked + " of its size: " + motion(feasibility);
+}
+
+std::string report(const Feasibility& feasibility) {
+  std::ostringstream text;
+  text << summary(feasibility) << '\n';
+  if (feasibility.cables == 0) return text.str();
+  if (feasibility.verdict == Verdict::cannot && feasibility.apart.empty())
+    text << "  on the way they lose " << percent(100 * feasibility.released)
+         << " of their energy, and no cable is longer there by more than "
+         << percent(100 * feasibility.lengthening)
+         << " of itself: whichever of them are tied, this way is open\n";
   text << "forces: tensions balance the rods at the target "
        << (feasibility.unbalanced < 1e-2 ? "" : "only ") << "but for what moves them by "
        << percent(feasibility.unbalanced) << " of the target's size, to first order\n";

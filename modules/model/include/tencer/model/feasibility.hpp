@@ -47,7 +47,10 @@ struct Feasibility {
   double seconds = 0.0;
 };
 
-// In words, a line each.
+// The verdict in a line, without its end.
+std::string summary(const Feasibility& feasibility);
+
+// That and the rest in words, a line each.
 std::string report(const Feasibility& feasibility);
 
 // One sentence: why it cannot be, and what would mend it.

@@ -9,8 +9,11 @@
 
 namespace tencer::pipeline {
 
+// When to try what would mend it.
+enum class TryMends { never, if_it_cannot, unless_it_can };
+
 struct FeasibleOptions {
-  bool mends = true;  // where it cannot or is unclear: whether to try what would mend it
+  TryMends mends = TryMends::unless_it_can;
   std::stop_token stop{};
 };
 
