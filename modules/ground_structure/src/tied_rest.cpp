@@ -109,10 +109,8 @@ class Tying {
   }
 
  private:
-  static constexpr double cable_part =
-      0.1;  // of the rods' axial stiffness: that of a cable, to begin with
-  static constexpr int round_iterations = 200;
-  static constexpr int max_iterations = 600;
+  // Of the rods' axial stiffness: that of a cable, to begin with.
+  static constexpr double cable_part = 0.1;
 
   static model::Structure with_cables(model::Structure structure,
                                       std::vector<springs::Cable> cables) {
