@@ -1,6 +1,7 @@
 #include "command.hpp"
 
 #include <cmath>
+#include <tencer/model/allowance.hpp>
 #include <tencer/model/material.hpp>
 
 namespace tencer::app {
@@ -43,6 +44,15 @@ CLI::Validator not_negative_number() {
             return fine ? std::string() : "expected a number that is not negative, found " + text;
           },
           "NOT NEGATIVE"};
+}
+
+CLI::Validator allowance() {
+  return {[](std::string& text) {
+            return model::read_allowance(text)
+                       ? std::string()
+                       : "expected a positive number in %, mm, cm or m, found " + text;
+          },
+          "ALLOWANCE"};
 }
 
 CLI::Validator positive_integer() {

@@ -30,6 +30,9 @@ CLI::Validator positive_number();
 // Likewise of a finite number that is not negative.
 CLI::Validator not_negative_number();
 
+// Likewise of what model::read_allowance() reads.
+CLI::Validator allowance();
+
 // Likewise of a whole number above zero.
 CLI::Validator positive_integer();
 

@@ -28,15 +28,6 @@ struct CheckRequest {
   bool json = false;
 };
 
-CLI::Validator allowance() {
-  return {[](std::string& text) {
-            return model::read_allowance(text)
-                       ? std::string()
-                       : "expected a positive number in %, mm, cm or m, found " + text;
-          },
-          "ALLOWANCE"};
-}
-
 core::Expected<ExitCode> run_check(CheckRequest request) {
   const auto given = io::read_design(request.input);
   if (!given) return given.error();

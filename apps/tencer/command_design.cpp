@@ -54,6 +54,7 @@ struct DesignRequest {
   std::optional<model::SymmetryUse> symmetry;
   std::optional<int> threads;
   std::optional<double> length_error_mm;
+  std::optional<model::Allowance> max_deviation;
   std::optional<double> attachment_error_mm;
   double resolution = 1.0;
   bool trade_off = false;
@@ -168,6 +169,7 @@ void apply_errors(const DesignRequest& request, model::Scene& scene) {
   if (request.length_error_mm) scene.build.length_error = *request.length_error_mm * millimetre;
   if (request.attachment_error_mm)
     scene.build.attachment_error = *request.attachment_error_mm * millimetre;
+  if (request.max_deviation) scene.build.max_deviation = request.max_deviation;
 }
 
 core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Log& log) {
@@ -262,6 +264,15 @@ void add_design(CLI::App& app, Command& chosen) {
       ->add_option("--attachment-error", request->attachment_error_mm,
                    "To how many mm they are tied along the rods, likewise [the scene's, else 2]")
       ->check(not_negative_number());
+  command
+      ->add_option_function<std::string>(
+          "--max-deviation",
+          [request](const std::string& text) {
+            request->max_deviation = model::read_allowance(text);
+          },
+          "What these errors may move of 95 in 100 built so: 5mm, or 1% of the size [the scene's, "
+          "else the max error]")
+      ->check(allowance());
   command
       ->add_option("--resolution", request->resolution,
                    "Vertices of every rod, times what the scene has")

@@ -59,6 +59,14 @@ if(NOT material STREQUAL "ash")
   message(SEND_ERROR "the check is of ${material}")
 endif()
 
+# What errors may move is as the command line says.
+run_tencer(target trefoil-hypotrochoid --vertices 24 -o small.obj)
+run_tencer(design small.obj -o strict --quiet --max-deviation 0.1mm)
+expect_status(3)
+expect_contains("${out}" "not the 0.1 mm allowed")
+refused("--max-deviation" "%, mm, cm or m, found 3 feet" design small.obj -o out
+  --max-deviation "3 feet")
+
 # Too few vertices for what they stand for are told.
 run_tencer(target torus-knot --vertices 48 -o coarse.obj)
 run_tencer(design coarse.obj -o coarse --quiet)
