@@ -16,6 +16,9 @@ model::Design design_from_json(const JsonValue& root);
 
 nlohmann::ordered_json design_to_json(const model::Design& design);
 
+// Points (3 x n), one array of three a point.
+nlohmann::ordered_json points_to_json(const Eigen::Matrix3Xd& points);
+
 // Of a design.
 nlohmann::ordered_json check_to_json(const model::Check& check, const model::Design& design);
 

@@ -12,12 +12,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view axis_names = "xyz";
 
-Json to_json(const Eigen::Matrix3Xd& points) {
-  Json result = Json::array();
-  for (const auto& point : points.colwise()) result.push_back({point[0], point[1], point[2]});
-  return result;
-}
-
 Json to_json(const Eigen::VectorXd& numbers) {
   return Json(std::vector<double>(numbers.begin(), numbers.end()));
 }
@@ -63,8 +57,8 @@ Json rod_to_json(const Design& design, std::size_t r) {
                                     {"s", design.strains[r]->s},
                                     {"curvature", design.strains[r]->curvature}};
   result["rest_lengths"] = to_json(rod.rest_lengths);
-  result["target"] = to_json(design.target[r]);
-  result["pose"] = to_json(design.pose[r]);
+  result["target"] = points_to_json(design.target[r]);
+  result["pose"] = points_to_json(design.pose[r]);
   if (rod.closing_angle) result["closing_angle"] = *rod.closing_angle;
   if (rod.rest_curvature.size() > 0) {
     Json pairs = Json::array();
@@ -73,9 +67,9 @@ Json rod_to_json(const Design& design, std::size_t r) {
   }
   if (rod.rest_twist.size() > 0) result["rest_twist"] = to_json(rod.rest_twist);
   if (design.target_directors[r].size() > 0)
-    result["target_directors"] = to_json(design.target_directors[r]);
+    result["target_directors"] = points_to_json(design.target_directors[r]);
   if (design.pose_directors[r].size() > 0)
-    result["pose_directors"] = to_json(design.pose_directors[r]);
+    result["pose_directors"] = points_to_json(design.pose_directors[r]);
   return result;
 }
 
@@ -151,6 +145,12 @@ Json list(const std::vector<T>& values) {
 
 }  // namespace
 
+Json points_to_json(const Eigen::Matrix3Xd& points) {
+  Json result = Json::array();
+  for (const auto& point : points.colwise()) result.push_back({point[0], point[1], point[2]});
+  return result;
+}
+
 const char* status_name(DesignStatus status) {
   switch (status) {
     case DesignStatus::complete:
@@ -178,7 +178,7 @@ Json design_to_json(const Design& design) {
   result["length_unit"] = design.length_unit;
   result["force_unit"] = design.force_unit;
   result["rods"] = rods;
-  result["anchors"] = to_json(structure.anchors);
+  result["anchors"] = points_to_json(structure.anchors);
   result["pinned"] = list(structure.pins);
   if (!structure.point_loads.empty()) result["point_loads"] = list(structure.point_loads);
   if (!structure.line_loads.empty()) result["line_loads"] = list(structure.line_loads);

@@ -1,5 +1,6 @@
 #include <tencer/io/feasibility.hpp>
 
+#include "design/design_json.hpp"
 #include "design/pretty_json.hpp"
 
 namespace tencer::io {
@@ -19,20 +20,14 @@ const char* name_of(model::Verdict verdict) {
   return "cannot";
 }
 
-Json columns(const Eigen::Matrix3Xd& points) {
-  Json result = Json::array();
-  for (const auto& point : points.colwise()) result.push_back({point.x(), point.y(), point.z()});
-  return result;
-}
-
 }  // namespace
 
 std::string feasibility_text(const model::Feasibility& feasibility) {
   Json rods = Json::array();
   for (std::size_t r = 0; r < feasibility.targets.size(); ++r)
     rods.push_back({{"closed", feasibility.targets[r].closed},
-                    {"target", columns(feasibility.targets[r].points)},
-                    {"motion", columns(feasibility.motions[r])}});
+                    {"target", points_to_json(feasibility.targets[r].points)},
+                    {"motion", points_to_json(feasibility.motions[r])}});
   Json mends = Json::array();
   for (const model::Mend& mend : feasibility.mends)
     mends.push_back({{"change", mend.change}, {"helps", mend.helps}, {"percent", mend.percent}});
