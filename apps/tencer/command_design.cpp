@@ -6,7 +6,6 @@
 #include <optional>
 #include <sstream>
 #include <tencer/io/file.hpp>
-#include <tencer/model/resolution.hpp>
 #include <tencer/model/units.hpp>
 #include <tencer/pipeline/design.hpp>
 #include <tencer/pipeline/feasible.hpp>
@@ -34,29 +33,24 @@ constexpr const char* examples = R"(Examples:
   tencer design scene.toml --explain         first what this scene needs, and what is left out
 
 INPUT is a scene (.toml, see docs/scene.md) or a curve (.obj, .csv, .xyz, .txt, .json). The folder
-gets design.json, trace.csv (error against run time), pose.obj, report.txt, view.html and picture.svg. With
---trade-off these are of the fewest cables within the max error (or of the closest design), and
-trade-off.csv and a folder for each number of cables, such as cables-8/, come to them. Options go
-before what the scene says; --max-error and --trade-off also before its number of cables. Ctrl-C ends
-early with the best design so far.)";
+gets design.json, trace.csv (error against run time), pose.obj, report.txt, view.html and
+picture.svg. With --trade-off these are of the fewest cables within the max error (or of the closest
+design), and trade-off.csv and a folder for each number of cables, such as cables-8/, come to them.
+Options override the scene; --max-error and --trade-off also its number of cables. Ctrl-C ends early
+with the best design so far.)";
 
 struct DesignRequest {
-  std::filesystem::path input;
+  SceneRequest scene;
   std::filesystem::path output;
   std::optional<model::Method> method;
   std::optional<model::Optimizer> optimizer;
   std::optional<model::SecondDerivatives> hessian;
-  std::string material = model::glass_fibre().name;
-  bool closed = false;
-  std::optional<double> max_error;
-  std::optional<int> cables;
   std::optional<model::Measure> objective;
   std::optional<model::SymmetryUse> symmetry;
   std::optional<int> threads;
   std::optional<double> length_error_mm;
-  std::optional<model::Allowance> max_deviation;
   std::optional<double> attachment_error_mm;
-  double resolution = 1.0;
+  std::optional<model::Allowance> max_deviation;
   bool trade_off = false;
   bool explain = false;
 };
@@ -98,16 +92,13 @@ std::optional<core::Error> apply_optimizer(const DesignRequest& request,
 
 // Options in place of the scene's keys.
 std::optional<core::Error> apply(const DesignRequest& request, model::DesignSettings& settings) {
-  if (request.trade_off && request.cables)
+  if (request.trade_off && request.scene.cables)
     return core::Error{"--cables",
                        "--trade-off designs every number of cables; drop --cables for "
                        "all of them, or --trade-off for this one"};
   if (request.method) settings.method = *request.method;
   if (const auto error = apply_optimizer(request, settings)) return error;
-  // Else the scene's number of cables would decide.
-  if (request.max_error || request.trade_off) settings.cables.reset();
-  if (request.max_error) settings.max_error = *request.max_error;
-  if (request.cables) settings.cables = *request.cables;
+  if (request.trade_off) settings.cables.reset();  // else the scene's number would decide
   if (request.objective) settings.objective = *request.objective;
   if (request.symmetry) settings.symmetry = *request.symmetry;
   if (request.threads) settings.threads = *request.threads;
@@ -173,16 +164,14 @@ void apply_errors(const DesignRequest& request, model::Scene& scene) {
 }
 
 core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Log& log) {
-  auto scene = read_scene_or_curve(
-      request.input,
-      {.material = *model::find_material(request.material), .close = request.closed});
+  auto scene = requested_scene(request.scene);
   if (!scene) return scene.error();
   if (const auto error = apply(request, scene->design)) return *error;
   apply_errors(request, *scene);
-  *scene = model::at_resolution(*scene, request.resolution);
   const std::filesystem::path folder =
-      request.output.empty() ? std::filesystem::path(request.input.stem().string() + "-design")
-                             : request.output;
+      request.output.empty()
+          ? std::filesystem::path(request.scene.input.stem().string() + "-design")
+          : request.output;
   if (const auto error = io::folder_problem(folder)) return *error;
   if (request.explain) {
     const auto prepared = pipeline::prepare(*scene);
@@ -225,19 +214,9 @@ void add_design(CLI::App& app, Command& chosen) {
       app.add_subcommand("design", "Design cables that hold rods in a target shape");
   command->footer(examples);
   const auto request = std::make_shared<DesignRequest>();
-  command->add_option("INPUT", request->input, "Scene (.toml) or target curve")->required();
   command->add_option("-o,--output", request->output, "Folder for the result [INPUT-design]");
-  add_material(*command, request->material);
-  command->add_flag("--closed", request->closed,
-                    "The curves are closed, though their last points do not repeat the first");
-  command
-      ->add_option("--max-error", request->max_error,
-                   "Largest distance to the target, % of its bounding-box diagonal [1]")
-      ->check(positive_number());
-  command
-      ->add_option("--cables", request->cables,
-                   "The closest design with at most so many, however far from the target")
-      ->check(positive_integer());
+  add_scene(*command, request->scene,
+            "The closest design with at most so many, however far from the target");
   command->add_flag("--trade-off", request->trade_off,
                     "Design every number of cables, and list how close each comes");
   const model::DesignSettings standard;
@@ -273,12 +252,6 @@ void add_design(CLI::App& app, Command& chosen) {
           "What these errors may move of 95 in 100 built so: 5mm, or 1% of the size [the scene's, "
           "else the max error]")
       ->check(allowance());
-  command
-      ->add_option("--resolution", request->resolution,
-                   "Vertices of every rod, times what the scene has")
-      ->check(positive_number())
-      ->check(CLI::Range(0.01, 100.0))
-      ->capture_default_str();
   command->add_flag("--explain", request->explain,
                     "Say first what this scene needs, and what is left out and why");
   command->callback([&chosen, request] {

@@ -2,7 +2,6 @@
 #include <iostream>
 #include <memory>
 #include <tencer/io/file.hpp>
-#include <tencer/model/resolution.hpp>
 #include <tencer/pipeline/feasible.hpp>
 
 #include "command.hpp"
@@ -24,24 +23,13 @@ holds them: the answer is no, exit code 3, and what would mend it is tried. docs
 more. tencer design asks the same first.)";
 
 struct FeasibleRequest {
-  std::filesystem::path input;
+  SceneRequest scene;
   std::filesystem::path output;
-  std::string material = model::glass_fibre().name;
-  bool closed = false;
-  std::optional<double> max_error;
-  std::optional<int> cables;
-  double resolution = 1.0;
 };
 
 core::Expected<ExitCode> run_feasible(const FeasibleRequest& request) {
-  auto scene = read_scene_or_curve(
-      request.input,
-      {.material = *model::find_material(request.material), .close = request.closed});
+  const auto scene = requested_scene(request.scene);
   if (!scene) return scene.error();
-  if (request.max_error) scene->design.max_error = *request.max_error;
-  if (request.max_error) scene->design.cables.reset();
-  if (request.cables) scene->design.cables = request.cables;
-  *scene = model::at_resolution(*scene, request.resolution);
   if (!request.output.empty())
     if (const auto error = io::folder_problem(request.output)) return *error;
   const Interrupt interrupt;
@@ -60,27 +48,10 @@ void add_feasible(CLI::App& app, Command& chosen) {
       app.add_subcommand("feasible", "Find out whether cables can hold rods in a shape at all");
   command->footer(examples);
   const auto request = std::make_shared<FeasibleRequest>();
-  command->add_option("INPUT", request->input, "Scene (.toml) or target curve")->required();
   command->add_option("-o,--output", request->output,
                       "Folder for feasible.json and picture.svg [none]");
-  add_material(*command, request->material);
-  command->add_flag("--closed", request->closed,
-                    "The curves are closed, though their last points do not repeat the first");
-  command
-      ->add_option("--max-error", request->max_error,
-                   "Largest distance to the target, % of its bounding-box diagonal [the scene's, "
-                   "else 1]")
-      ->check(positive_number());
-  command
-      ->add_option("--cables", request->cables,
-                   "As a design is asked for a number of cables: it may be further off")
-      ->check(positive_integer());
-  command
-      ->add_option("--resolution", request->resolution,
-                   "Vertices of every rod, times what the scene has")
-      ->check(positive_number())
-      ->check(CLI::Range(0.01, 100.0))
-      ->capture_default_str();
+  add_scene(*command, request->scene,
+            "As a design is asked for a number of cables: it may be further off");
   command->callback([&chosen, request] {
     chosen = [request](const core::Log&) { return run_feasible(*request); };
   });

@@ -11,8 +11,8 @@
 
 namespace tencer::app {
 
-// design.json, trace.csv, pose.obj, view.html and picture.svg in `folder`, which is made when it is
-// not there: all of them or, on an Error, none.
+// design.json, trace.csv, pose.obj, report.txt, view.html and picture.svg in `folder`, which is
+// made when it is not there: all of them or, on an Error, none.
 std::optional<core::Error> write_design_files(const std::filesystem::path& folder,
                                               const model::Design& design);
 

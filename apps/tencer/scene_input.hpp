@@ -1,14 +1,30 @@
-// What commands that design take: scenes, or bare curves with every default.
+// What commands that design take: a scene, or a bare curve with every default, and what the command
+// line says in place of it.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <tencer/core/error.hpp>
-#include <tencer/io/scene.hpp>
+#include <tencer/model/material.hpp>
+#include <tencer/model/scene.hpp>
 
 namespace tencer::app {
 
-// A scene (.toml), or the scene of a curve file.
-core::Expected<model::Scene> read_scene_or_curve(const std::filesystem::path& input,
-                                                 const io::SceneOptions& options);
+struct SceneRequest {
+  std::filesystem::path input;  // .toml: a scene; else a curve file
+  std::string material = model::glass_fibre().name;
+  bool closed = false;  // of a bare curve
+  std::optional<double> max_error;
+  std::optional<int> cables;
+  double resolution = 1.0;
+};
+
+// INPUT and an option for each of the others. cables: what --cables helps with.
+void add_scene(CLI::App& command, SceneRequest& request, const std::string& cables);
+
+// A max error comes before the scene's number of cables.
+core::Expected<model::Scene> requested_scene(const SceneRequest& request);
 
 }  // namespace tencer::app
