@@ -53,6 +53,7 @@ void FitOptions::validate() const {
   require(steps > 0, "FitOptions::steps must be positive");
   require(min_gain >= 0, "FitOptions::min_gain must not be negative");
   require(min_round_gain >= 0, "FitOptions::min_round_gain must not be negative");
+  require(further >= 0, "FitOptions::further must not be negative");
   require(power >= 2, "FitOptions::power must be at least 2");
   for (const Attempt& attempt : attempts)
     require(attempt.stability_weight >= 0 && attempt.min_unit >= 0,

@@ -24,8 +24,8 @@ struct Requirements {
   double min_eigenvalue = 0.0;                // softer networks are not entered
   int max_floating = 1;  // components of rods that are free of each other, at most
   int fixed_cables = 0;  // so many of the first cables stay as they are; only without symmetry
-  Workmanship
-      workmanship{};  // its max_deviation: networks that errors move further are not entered
+  // Its max_deviation: networks that errors move further are not entered.
+  Workmanship workmanship{};
   double standing_deviation = std::numeric_limits<double>::infinity();  // of what stands, at most
 };
 

@@ -14,8 +14,8 @@ namespace tencer::certify {
 // weight grows from nothing.
 struct Sag {
   double deviation = 0.0;
-  std::vector<Support>
-      at{};               // the vertices that it hangs from or stands on; none: its own supports
+  // The vertices that it hangs from or stands on; none: its own supports.
+  std::vector<Support> at{};
   bool settled = false;   // not to first order
   bool falls = false;     // to another pose, before all its weight is on it
   bool computed = false;  // false: the pose is singular, or supports leave it free to swing

@@ -133,7 +133,7 @@ struct StartOptions {
 // What is found on few vertices is brought back to all.
 struct ProlongOptions {
   double fits_closer = 1.2;  // networks this much further than accepted are tried: fitting helps
-  int spare = 2;             // further networks tried once one answers: not every one settles
+  int spare = 2;  // further networks tried once one answers, twice as many while none stands
 
   void validate() const;
 };

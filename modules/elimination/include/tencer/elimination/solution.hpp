@@ -32,8 +32,8 @@ struct Solution {
 struct [[nodiscard]] EliminationResult {
   // Its network is what the goal asks for, or what came nearest to it.
   network::StageResult stage{};
-  // The fewest cables first, each closer to the target than all with fewer cables, or the first
-  // that stands.
+  // The fewest cables first, each closer to the target than all with fewer cables, or the first of
+  // its footing.
   std::vector<Solution> solutions{};
 };
 
