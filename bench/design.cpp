@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <tencer/geometry/polyline.hpp>
+#include <tencer/model/redesign.hpp>
 #include <tencer/pipeline/design.hpp>
 
 #include "published_model.hpp"
@@ -22,10 +22,10 @@ namespace {
 // Rods of a model whose published cables never join a rod with itself are under that rule.
 std::optional<std::vector<model::RodPair>> rod_pairs(const bench::PublishedModel& model) {
   std::vector<model::RodPair> pairs;
-  const int rods = static_cast<int>(model.structure.rods.size());
+  const int rods = static_cast<int>(model.design.structure.rods.size());
   for (int a = 0; a < rods; ++a)
     for (int b = a + 1; b < rods; ++b) pairs.push_back({a, b});
-  for (const auto& cable : model.structure.cables) {
+  for (const auto& cable : model.design.structure.cables) {
     const auto* a = std::get_if<springs::OnRod>(&cable.a);
     const auto* b = std::get_if<springs::OnRod>(&cable.b);
     if (a && b && a->rod == b->rod) return std::nullopt;
@@ -34,14 +34,7 @@ std::optional<std::vector<model::RodPair>> rod_pairs(const bench::PublishedModel
 }
 
 model::Scene scene_of(const bench::PublishedModel& model) {
-  model::Scene scene{.name = model.name, .source = model.name};
-  for (std::size_t r = 0; r < model.target.size(); ++r) {
-    const auto& rod = model.structure.rods[r];
-    model::add_rod(scene, {model.target[r], rod.closed});
-    scene.structure.rods.back().section = rod.section;
-  }
-  scene.structure.anchors = model.structure.anchors;
-  scene.structure.planar = scene.target.planar = model.structure.planar;
+  model::Scene scene = model::scene_of(model.design);
   scene.rules.pairs = rod_pairs(model);
   scene.design.max_error = model.max_error_percent;
   return scene;
@@ -71,13 +64,14 @@ void print_design(const bench::PublishedModel& model, const model::Scene& scene,
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!design) {
-    std::printf("%-21s %-20s %s\n", model.name.c_str(), question, design.error().text().c_str());
+    std::printf("%-21s %-20s %s\n", model.design.name.c_str(), question,
+                design.error().text().c_str());
     return;
   }
-  std::printf("%-21s %-20s %6zu %6d %8.3f %8.3f %7s %9.3g %7s %9.2f  %s\n", model.name.c_str(),
-              question, design->built.size(), model.cables, design->error->max_percent,
-              model.max_error_percent, design->certificate->stable ? "yes" : "no",
-              design->certificate->smallest_eigenvalue,
+  std::printf("%-21s %-20s %6zu %6d %8.3f %8.3f %7s %9.3g %7s %9.2f  %s\n",
+              model.design.name.c_str(), question, design->built.size(), model.cables(),
+              design->error->max_percent, model.max_error_percent,
+              design->certificate->stable ? "yes" : "no", design->certificate->smallest_eigenvalue,
               design->certificate->settles_from_target.value_or(false) ? "yes" : "no", seconds,
               stage_seconds(*design).c_str());
   std::fflush(stdout);
@@ -106,20 +100,20 @@ int main(int argc, char** argv) {
   std::printf("%-21s %-20s %6s %6s %8s %8s %7s %9s %7s %9s  %s\n", "model", "asked for", "cables",
               "publ.", "max %", "publ.", "stands", "lambda", "settles", "seconds", "by stage");
   for (const auto& model : bench::read_published_models(argv[1])) {
-    if (!wanted.empty() && !wanted.contains(model.name)) continue;
+    if (!wanted.empty() && !wanted.contains(model.design.name)) continue;
     model::Scene scene = scene_of(model);
     if (dense) {
       scene.design.method = model::Method::dense_springs;
       print_optimizers(model, scene, "");
     } else if (optimizers) {
       print_optimizers(model, scene, "max error ");
-      scene.design.cables = model.cables;
+      scene.design.cables = model.cables();
       print_optimizers(model, scene, "cables ");
     } else {
       print_design(model, scene, "max error");
-      scene.design.cables = model.cables;
+      scene.design.cables = model.cables();
       print_design(model, scene, "cables");
-      scene.design.cables = 2 * model.cables / 3;
+      scene.design.cables = 2 * model.cables() / 3;
       scene.design.max_error = model.max_error_percent * 2 / 3;
       print_design(model, scene, "two thirds");
     }

@@ -33,9 +33,9 @@ double distance_percent(const bench::PublishedModel& model, const model::State& 
   std::vector<Eigen::Matrix3Xd> x;
   for (const auto& rod : state) x.push_back(rod.x);
   Eigen::Matrix3Xd here = stacked(x);
-  const Eigen::Matrix3Xd there = stacked(model.published);
-  const Eigen::Matrix3Xd target = stacked(model.target);
-  if (model.rigidly_aligned)
+  const Eigen::Matrix3Xd there = stacked(model.design.pose);
+  const Eigen::Matrix3Xd target = stacked(model.design.target);
+  if (model.design.structure.anchors.cols() == 0)
     here = registration::align(here, there, Eigen::VectorXd::Ones(here.cols())).apply(here);
   const double diagonal = (target.rowwise().maxCoeff() - target.rowwise().minCoeff()).norm();
   return (here - there).colwise().norm().maxCoeff() / diagonal * 100;
@@ -49,18 +49,19 @@ double report(const bench::PublishedModel& model, const std::vector<Eigen::Matri
   std::vector<double> milliseconds;
   for (int k = 0; k < repeats; ++k) {
     const auto begin = clock::now();
-    const equilibrium::System system(model.structure);
-    result = equilibrium::solve(system, make_state(model.structure, start));
+    const equilibrium::System system(model.design.structure);
+    result = equilibrium::solve(system, make_state(model.design.structure, start));
     milliseconds.push_back(std::chrono::duration<double, std::milli>(clock::now() - begin).count());
   }
   std::ranges::sort(milliseconds);
-  const equilibrium::System system(model.structure);
+  const equilibrium::System system(model.design.structure);
   const auto stability = equilibrium::stability(system, result.state);
   const double distance = distance_percent(model, result.state);
   std::printf("%-21s %-9s %5d %5d %5d %7.2f %7.2f %9.1e %10.2e %9.3g %12.7g  %s\n",
-              model.name.c_str(), from, system.size(), result.iterations, result.factorisations,
-              milliseconds.front(), milliseconds[repeats / 2], result.residual, distance,
-              stability.smallest_eigenvalue, result.energy, describe(result.reason).c_str());
+              model.design.name.c_str(), from, system.size(), result.iterations,
+              result.factorisations, milliseconds.front(), milliseconds[repeats / 2],
+              result.residual, distance, stability.smallest_eigenvalue, result.energy,
+              describe(result.reason).c_str());
   return distance;
 }
 
@@ -75,5 +76,6 @@ int main(int argc, char** argv) {
               "iter", "fact", "ms min", "ms med", "residual", "distance %", "lambda", "energy",
               "why");
   for (const auto& model : bench::read_published_models(argv[1]))
-    if (report(model, model.target, "target") > 1e-3) report(model, model.published, "published");
+    if (report(model, model.design.target, "target") > 1e-3)
+      report(model, model.design.pose, "published");
 }

@@ -3,29 +3,23 @@
 #include <tencer/io/curve.hpp>
 #include <tencer/io/scene.hpp>
 #include <tencer/model/resolution.hpp>
+#include <vector>
 
 #include "command.hpp"
 
 namespace tencer::app {
-namespace {
-
-core::Expected<model::Scene> read_scene_or_curve(const std::filesystem::path& input,
-                                                 const io::SceneOptions& options) {
-  if (input.extension() == ".toml" && options.close)
-    return core::Error{"--closed", "is for bare curves; in a scene say closed = true of the rod"};
-  if (input.extension() == ".toml") return io::read_scene(input, options);
-  const auto file = io::read_curve_file(input);
-  if (!file) return file.error();
-  return io::scene_of_file(*file, input, options);
-}
-
-}  // namespace
 
 void add_scene(CLI::App& command, SceneRequest& request, const std::string& cables) {
-  command.add_option("INPUT", request.input, "Scene (.toml) or target curve")->required();
+  command.add_option("INPUT", request.input, "Scene (.toml), target curve or design; - is stdin")
+      ->required();
   add_material(command, request.material);
   command.add_flag("--closed", request.closed,
                    "The curves are closed, though their last points do not repeat the first");
+  const auto units = io::curve_units();
+  command
+      .add_option("--unit", request.unit,
+                  "Of the curve's numbers: mm, cm, m, in or ft [the file's, else cm]")
+      ->check(CLI::IsMember(std::vector<std::string>(units.begin(), units.end())));
   command
       .add_option("--max-error", request.max_error,
                   "Largest distance to the target, % of its bounding-box diagonal [the scene's, "
@@ -41,9 +35,10 @@ void add_scene(CLI::App& command, SceneRequest& request, const std::string& cabl
 }
 
 core::Expected<model::Scene> requested_scene(const SceneRequest& request) {
-  auto scene = read_scene_or_curve(
-      request.input,
-      {.material = *model::find_material(request.material), .close = request.closed});
+  auto scene =
+      io::read_any_scene(request.input, {.material = *model::find_material(request.material),
+                                         .close = request.closed,
+                                         .length_unit = request.unit});
   if (!scene) return scene.error();
   if (request.max_error) {
     scene->design.max_error = *request.max_error;

@@ -13,9 +13,10 @@
 namespace tencer::app {
 
 struct SceneRequest {
-  std::filesystem::path input;  // .toml: a scene; else a curve file
+  std::filesystem::path input;  // what io::read_any_scene reads
   std::string material = model::glass_fibre().name;
-  bool closed = false;  // of a bare curve
+  bool closed = false;              // of a bare curve
+  std::optional<std::string> unit;  // likewise
   std::optional<double> max_error;
   std::optional<int> cables;
   double resolution = 1.0;

@@ -291,8 +291,7 @@ TEST_CASE("curves that are bad are refused with place and remedy") {
        "an "
        "edge; set closed to true, or move them apart"},
       {"c.stl", "solid",
-       "c.stl: unknown kind of curve file '.stl'; use .obj, .csv, .xyz, .txt or "
-       ".json"},
+       "c.stl: is a mesh and holds no curves; save the curve itself as OBJ or CSV"},
   };
   const Folder folder;
   for (const Case& bad : cases) {

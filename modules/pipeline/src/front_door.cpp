@@ -156,10 +156,7 @@ core::Expected<model::Design> design(const std::filesystem::path& file,
 }
 
 core::Expected<model::Scene> read_scene(const std::filesystem::path& file) {
-  if (file.extension() == ".toml") return io::read_scene(file);
-  const auto curves = io::read_curve_file(file);
-  if (!curves) return curves.error();
-  return io::scene_of_file(*curves, file);
+  return io::read_any_scene(file);
 }
 
 std::optional<core::Error> write_design(const std::filesystem::path& file,

@@ -1,58 +1,47 @@
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <tencer/core/error.hpp>
 #include <tencer/io/curve.hpp>
 #include <tencer/io/file.hpp>
 #include <utility>
 
-#include "curves/curve_json.hpp"
-#include "curves/curve_obj.hpp"
-#include "curves/curve_table.hpp"
+#include "curves/curve_format.hpp"
 #include "text/bad_input.hpp"
+#include "text/read_text.hpp"
 #include "text/text.hpp"
 
 namespace tencer::io {
 namespace {
 
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
-// Bytes as ASCII or UTF-8, from UTF-16 when they begin with its mark; what is not ASCII in that
-// becomes a question mark, which no number holds.
-std::string plain_text(std::string bytes, const std::string& file) {
-  const bool little = bytes.starts_with("\xFF\xFE");
-  if (little || bytes.starts_with("\xFE\xFF")) {
-    std::string text;
-    for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
-      const char low = bytes[little ? i : i + 1];
-      const char high = bytes[little ? i + 1 : i];
-      text += high == 0 && static_cast<unsigned char>(low) < 128 ? low : '?';
-    }
-    return text;
-  }
-  if (bytes.find('\0') != std::string::npos)
-    fail(file, "is not text: it holds NUL bytes; save it as plain text, in UTF-8");
-  return bytes;
-}
+struct CurveUnit {
+  std::string_view name;
+  std::string_view scene_unit;
+  double size = 1.0;  // in that
+};
+constexpr std::array known_units{CurveUnit{"mm", "mm", 1}, CurveUnit{"cm", "cm", 1},
+                                 CurveUnit{"m", "m", 1}, CurveUnit{"in", "cm", 2.54},
+                                 CurveUnit{"ft", "cm", 30.48}};
 
 }  // namespace
 
 core::Expected<CurveFile> read_curve_file(const std::filesystem::path& path) {
-  return guarded([&] {
-    const std::string file = path.string();
-    const std::string text = plain_text(value_or_fail(read_file(path)), file);
-    const std::string extension = lower_extension(path);
-    if (extension == ".obj") return parse_obj(text, file);
-    if (extension == ".csv" || extension == ".xyz" || extension == ".txt")
-      return parse_table(text, file);
-    if (extension == ".json") return parse_curve_json(text, file);
-    fail(file,
-         "unknown kind of curve file '" + extension + "'; use .obj, .csv, .xyz, .txt or .json");
-  });
+  return guarded([&] { return parse_curves(path, read_text(path), shown(path)); });
+}
+
+std::span<const std::string_view> curve_units() {
+  static constexpr auto names = [] {
+    std::array<std::string_view, known_units.size()> result{};
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = known_units[i].name;
+    return result;
+  }();
+  return names;
+}
+
+void take_unit(CurveFile& file, std::string_view unit) {
+  const auto* known = std::ranges::find(known_units, unit, &CurveUnit::name);
+  core::require(known != known_units.end(), "take_unit: expected mm, cm, m, in or ft");
+  for (geometry::Polyline& curve : file.curves) curve.points *= known->size;
+  file.length_unit = known->scene_unit;
 }
 
 core::Expected<std::vector<geometry::Polyline>> read_curves(const std::filesystem::path& path) {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "curves/finish_curve.hpp"
+#include "design/design_json.hpp"
 #include "design/json_value.hpp"
 #include "text/bad_input.hpp"
 #include "text/text.hpp"
@@ -42,6 +43,12 @@ CurveFile parse_curve_json(std::string_view text, const std::string& file) {
   const nlohmann::json content = JsonValue::parse(text, file);
   const JsonValue root(content, file);
   CurveFile result;
+  if (is_design(content)) {
+    const model::Design design = any_design(root, file);
+    for (std::size_t r = 0; r < design.target.size(); ++r)
+      result.curves.push_back({design.target[r], design.structure.rods[r].closed});
+    return result;
+  }
   if (content.is_array()) {
     result.curves.push_back(parse_points(root, std::nullopt, result.notes));
     return result;

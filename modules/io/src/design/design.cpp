@@ -4,15 +4,29 @@
 #include "design/design_json.hpp"
 #include "design/json_value.hpp"
 #include "design/pretty_json.hpp"
+#include "design/published_json.hpp"
 #include "text/bad_input.hpp"
+#include "text/read_text.hpp"
 
 namespace tencer::io {
 
+bool is_design(const nlohmann::json& content) {
+  return content.is_object() &&
+         (content.contains("schema") || is_published(content) || is_program_state(content));
+}
+
+model::Design any_design(const JsonValue& root, const std::filesystem::path& path) {
+  const bool published = is_published(root.raw());
+  if (!published && !is_program_state(root.raw())) return design_from_json(root);
+  model::Design design = published ? design_from_published(root) : design_from_program_state(root);
+  if (design.name.empty()) design.name = path.stem().string();
+  return design;
+}
+
 core::Expected<model::Design> read_design(const std::filesystem::path& path) {
   return guarded([&] {
-    const std::string text = value_or_fail(read_file(path));
-    const nlohmann::json content = JsonValue::parse(text, path.string());
-    return design_from_json(JsonValue(content, path.string()));
+    const nlohmann::json content = JsonValue::parse(read_text(path), shown(path));
+    return any_design(JsonValue(content, shown(path)), path);
   });
 }
 

@@ -1,6 +1,7 @@
-// The design as JSON, both ways.
+// The design as JSON, both ways, and the other files that are read as one.
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <tencer/io/design.hpp>
 
@@ -13,6 +14,11 @@ inline constexpr const char* older_schema = "tencer-design/1";  // read, not wri
 
 // Throws BadInput for everything design.hpp says is checked.
 model::Design design_from_json(const JsonValue& root);
+
+// Whether this is meant to be a design, of this program or of the paper (published_json.hpp); and
+// that design, named after the file where it says no name.
+bool is_design(const nlohmann::json& content);
+model::Design any_design(const JsonValue& root, const std::filesystem::path& path);
 
 nlohmann::ordered_json design_to_json(const model::Design& design);
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "curves/finish_curve.hpp"
 #include "design/design_json.hpp"
+#include "design/design_parts.hpp"
 #include "text/text.hpp"
 
 namespace tencer::io {
@@ -15,31 +15,8 @@ using namespace model;
 
 constexpr std::string_view axis_names = "xyz";
 
-// Other programs may add up the rest lengths in another order.
-constexpr double arc_slack = 1e-9;
-
 std::string optional_text(const JsonValue& object, std::string_view key) {
   return object.has(key) ? object[key].text() : std::string();
-}
-
-void check_count(const JsonValue& value, long found, int expected, const std::string& what) {
-  if (found != expected)
-    value.fail("expected " + std::to_string(expected) + " " + what + ", found " +
-               std::to_string(found));
-}
-
-// A rod's target or pose.
-Eigen::Matrix3Xd read_shape(const JsonValue& value, bool closed) {
-  Eigen::Matrix3Xd points = value.points();
-  const int least = closed ? 3 : 2;
-  if (points.cols() < least)
-    value.fail("expected at least " + std::to_string(least) + " points, found " +
-               std::to_string(points.cols()));
-  if (const auto bad = bad_edge({points, closed}))
-    value.items()[bad->from].fail(bad->no_length
-                                      ? "zero-length edge: the next point is the same"
-                                      : "the rod turns straight back here, which none can follow");
-  return points;
 }
 
 // One direction an edge, none along it.
@@ -82,15 +59,6 @@ void read_frames(const JsonValue& value, int r, Design& design) {
     design.target_directors[r] = read_directors(value["target_directors"], design.target[r], edges);
   if (value.has("pose_directors"))
     design.pose_directors[r] = read_directors(value["pose_directors"], design.pose[r], edges);
-}
-
-// A place on a rod by its number and arc length.
-double read_arc_length(const JsonValue& value, const der::Rod& rod) {
-  const double s = value["s"].at_least_zero();
-  if (s > rod.length() * (1.0 + arc_slack))
-    value["s"].fail("expected an arc length from 0 to " + to_text(rod.length()) + ", found " +
-                    to_text(s));
-  return s;
 }
 
 der::Shape read_section(const JsonValue& value) {
@@ -189,16 +157,6 @@ PointLoad read_point_load(const JsonValue& value, const std::vector<der::Rod>& r
 LineLoad read_line_load(const JsonValue& value, const std::vector<der::Rod>& rods) {
   return {.rod = value["rod"].index(static_cast<int>(rods.size()), "rod"),
           .force_per_length = value["force_per_length"].point()};
-}
-
-springs::End read_end(const JsonValue& value, const Structure& structure) {
-  if (value.has("rod") == value.has("anchor"))
-    value.fail("expected {\"rod\", \"s\"} or {\"anchor\"}");
-  if (value.has("anchor"))
-    return springs::AtAnchor{
-        value["anchor"].index(static_cast<int>(structure.anchors.cols()), "anchor")};
-  const int rod = value["rod"].index(static_cast<int>(structure.rods.size()), "rod");
-  return springs::OnRod{rod, read_arc_length(value, structure.rods[rod])};
 }
 
 void read_cable(const JsonValue& value, Design& design) {

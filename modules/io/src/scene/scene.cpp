@@ -4,8 +4,6 @@
 #include <tencer/geometry/frame.hpp>
 #include <tencer/geometry/measure.hpp>
 #include <tencer/geometry/sampling.hpp>
-#include <tencer/io/curve.hpp>
-#include <tencer/io/file.hpp>
 #include <tencer/io/scene.hpp>
 #include <tencer/model/units.hpp>
 #include <utility>
@@ -14,6 +12,7 @@
 #include "scene/scene_section.hpp"
 #include "scene/toml_value.hpp"
 #include "text/bad_input.hpp"
+#include "text/read_text.hpp"
 #include "text/text.hpp"
 
 namespace tencer::io {
@@ -320,10 +319,6 @@ void check_plane(const Scene& scene, const std::string& where) {
                " and anchor " + std::to_string(i) + " has z = " + to_text(anchors(2, i)));
 }
 
-void check_crossings(const Scene& scene) {
-  if (const auto crossing = model::crossing(scene)) fail(scene.source, *crossing);
-}
-
 Scene parse_scene(const TomlTable& root, const std::filesystem::path& path,
                   const SceneOptions& options) {
   root.only({"name", "length_unit", "force_unit", "planar", "anchors", "frame", "pinned", "gravity",
@@ -331,7 +326,7 @@ Scene parse_scene(const TomlTable& root, const std::filesystem::path& path,
   Scene scene;
   model::Structure& structure = scene.structure;
   scene.name = root.text("name").value_or(path.stem().string());
-  scene.source = path.string();
+  scene.source = shown(path);
   scene.length_unit = root.one_of("length_unit", model::length_units()).value_or(scene.length_unit);
   scene.force_unit = root.one_of("force_unit", model::force_units()).value_or(scene.force_unit);
   structure.planar = root.boolean("planar").value_or(structure.planar);
@@ -349,7 +344,7 @@ Scene parse_scene(const TomlTable& root, const std::filesystem::path& path,
     structure.point_loads.push_back(read_load(load, scene));
   if (const auto design = root.table("design")) read_design(*design, scene);
   if (const auto build = root.table("build")) read_build(*build, scene.build);
-  check_crossings(scene);
+  if (const auto crossing = model::crossing(scene)) fail(scene.source, *crossing);
   if (structure.planar) check_plane(scene, root.where("planar"));
   return scene;
 }
@@ -358,36 +353,9 @@ Scene parse_scene(const TomlTable& root, const std::filesystem::path& path,
 
 core::Expected<Scene> read_scene(const std::filesystem::path& path, const SceneOptions& options) {
   return guarded([&] {
-    const std::string text = value_or_fail(read_file(path));
-    const toml::table content = TomlTable::parse(text, path.string());
-    return parse_scene(TomlTable(content, path.string()), path, options);
+    const toml::table content = TomlTable::parse(read_text(path), shown(path));
+    return parse_scene(TomlTable(content, shown(path)), path, options);
   });
-}
-
-core::Expected<Scene> scene_of_file(const CurveFile& file, const std::filesystem::path& source,
-                                    const SceneOptions& options) {
-  return guarded([&] {
-    CurveFile curves = file;
-    for (Polyline& curve : curves.curves)
-      if (options.close)
-        if (const auto problem = close_curve(curve))
-          fail(source.string(), "to be closed: " + *problem);
-    Scene scene = model::scene_of(curves.curves, source.stem().string(),
-                                  curves.length_unit.value_or(Scene().length_unit),
-                                  Scene().force_unit, options.material);
-    scene.source = source.string();
-    scene.notes = curves.notes;
-    if (curves.length_unit)
-      scene.notes.push_back("the file says that its numbers are " + *curves.length_unit);
-    check_crossings(scene);
-    return scene;
-  });
-}
-
-core::Expected<Scene> scene_of_curves(const std::vector<Polyline>& curves,
-                                      const std::filesystem::path& source) {
-  if (curves.empty()) return core::Error{source.string(), "holds no curves"};
-  return scene_of_file({.curves = curves}, source);
 }
 
 }  // namespace tencer::io

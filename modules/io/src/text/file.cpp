@@ -1,6 +1,6 @@
 #include <cerrno>
 #include <fstream>
-#include <iterator>
+#include <iostream>
 #include <random>
 #include <system_error>
 #include <tencer/io/file.hpp>
@@ -16,6 +16,21 @@ std::string reason(int error) { return std::generic_category().message(error); }
 
 core::Error unwritable(const fs::path& path, int error) {
   return {path.string(), "cannot be written: " + reason(error)};
+}
+
+// Up to the largest size.
+core::Expected<std::string> read_all(std::istream& stream, const std::string& name) {
+  std::string text;
+  std::string block(1 << 16, '\0');
+  while (stream.read(block.data(), static_cast<std::streamsize>(block.size())),
+         stream.gcount() > 0) {
+    text.append(block, 0, static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > largest_file)
+      return core::Error{name, "is larger than " + std::to_string(largest_file >> 20) +
+                                   " MB; no curve or design needs so many bytes"};
+  }
+  if (stream.bad()) return core::Error{name, "cannot be read"};
+  return text;
 }
 
 // Beside `path`; its own name for each write, so that two programs do not write into each other's.
@@ -160,15 +175,16 @@ std::optional<core::Error> write_new_folder(const fs::path& folder,
 }  // namespace
 
 core::Expected<std::string> read_file(const fs::path& path) {
+  if (path == "-") return read_all(std::cin, "standard input");
   std::error_code ignored;
   const auto status = fs::status(path, ignored);
   if (!fs::exists(status)) return core::Error{path.string(), "there is no such file"};
   if (fs::is_directory(status)) return core::Error{path.string(), "is a folder; a file is needed"};
+  if (!fs::is_regular_file(status) && !fs::is_fifo(status))
+    return core::Error{path.string(), "is a device; a file is needed"};
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return core::Error{path.string(), "cannot be opened: " + reason(errno)};
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (stream.bad()) return core::Error{path.string(), "cannot be read"};
-  return text;
+  return read_all(stream, path.string());
 }
 
 std::optional<core::Error> write_file(const fs::path& path, std::string_view text) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <tencer/model/design.hpp>
+#include <tencer/springs/law.hpp>
 
 namespace tencer::model {
 
@@ -38,6 +39,20 @@ Structure as_built(const Design& design) {
     structure.cables[c].rest_length = design.built[c].length;
   }
   return structure;
+}
+
+std::vector<BuiltCable> built_in_pose(const Structure& structure,
+                                      const std::vector<Eigen::Matrix3Xd>& pose) {
+  const auto along = arc_lengths(structure);
+  std::vector<BuiltCable> built;
+  for (const springs::Cable& cable : structure.cables) {
+    const auto stencil = springs::stencil(cable, along, structure.anchors);
+    const double length = springs::span_of(stencil, [&](int rod, int vertex) -> Eigen::Vector3d {
+                            return pose[rod].col(vertex);
+                          }).norm();
+    built.push_back({.length = length, .tension = springs::tension(cable, length)});
+  }
+  return built;
 }
 
 }  // namespace tencer::model

@@ -1,5 +1,7 @@
 // The design file, design.json, schema "tencer-design/2": a designed structure and what is known of
 // it, in the file's own units. "tencer-design/1" is read too: its rods say no section and material.
+// So are designs of the paper: published models, and the states that its own program saves
+// (docs/curves.md has their keys). Their numbers are taken as cm and N.
 //
 // A rod has its stiffnesses EA, EI, GJ, and where they are known its section ("shape" and sizes),
 // its material (youngs_modulus in Pa, density in kg/m^3, strains as fractions) and the largest

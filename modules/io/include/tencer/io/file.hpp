@@ -1,6 +1,7 @@
 // Whole text files: read at once, written so that nobody ever sees half of one.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -10,7 +11,10 @@
 
 namespace tencer::io {
 
-// The file's bytes. Errors: the path, and why it cannot be read.
+constexpr std::size_t largest_file = std::size_t{256} << 20;  // bytes
+
+// The bytes of the file or pipe, or of the standard input when the path is "-". Errors: the path,
+// and why it cannot be read; devices and files beyond largest_file are not.
 core::Expected<std::string> read_file(const std::filesystem::path& path);
 
 // Puts the text in a temporary file in the same folder, closes it and renames it over `path`, so

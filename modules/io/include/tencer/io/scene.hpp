@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <tencer/core/error.hpp>
 #include <tencer/geometry/polyline.hpp>
 #include <tencer/io/curve.hpp>
@@ -14,6 +16,8 @@ namespace tencer::io {
 struct SceneOptions {
   model::Material material = model::glass_fibre();
   bool close = false;  // curves of bare files (close_curve)
+  // Of the numbers of bare files, one of curve_units(), whatever they say themselves.
+  std::optional<std::string> length_unit{};
 };
 
 // Reads a TOML scene and the curve files it names (relative to its folder). All indices, ranges and
@@ -22,13 +26,14 @@ struct SceneOptions {
 core::Expected<model::Scene> read_scene(const std::filesystem::path& path,
                                         const SceneOptions& options = {});
 
-// The scene of a curve file with every default, in the unit that the file names. `source` is the
-// file: errors begin with it, and the scene is named after it.
-core::Expected<model::Scene> scene_of_file(const CurveFile& file,
-                                           const std::filesystem::path& source,
-                                           const SceneOptions& options = {});
+// What there is to design in any file that holds rods: a scene (.toml); a design, or a published
+// model of the paper (design.hpp), without its cables; or curves, with every default. Options for
+// bare files are an error with the others.
+core::Expected<model::Scene> read_any_scene(const std::filesystem::path& path,
+                                            const SceneOptions& options = {});
 
-// Likewise of its curves alone.
+// The scene of curves with every default. `source` is where they came from: errors begin with it,
+// and the scene is named after it.
 core::Expected<model::Scene> scene_of_curves(const std::vector<geometry::Polyline>& curves,
                                              const std::filesystem::path& source);
 

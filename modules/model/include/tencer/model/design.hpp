@@ -82,4 +82,9 @@ geometry::Polyline pose_curve(const Design& design, std::size_t rod);
 // The structure with cables that are as long as they are built: their rest length.
 Structure as_built(const Design& design);
 
+// The structure's cables as they are built where it stands in `pose` with them as springs: as long
+// as there, and pulling as there.
+std::vector<BuiltCable> built_in_pose(const Structure& structure,
+                                      const std::vector<Eigen::Matrix3Xd>& pose);
+
 }  // namespace tencer::model

@@ -1,0 +1,114 @@
+#include "curves/curve_format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <optional>
+
+#include "curves/curve_json.hpp"
+#include "curves/curve_obj.hpp"
+#include "curves/curve_table.hpp"
+#include "text/bad_input.hpp"
+#include "text/text.hpp"
+
+namespace tencer::io {
+namespace {
+
+struct Known {
+  std::string_view extension;
+  CurveFormat format;
+};
+constexpr std::array known{
+    Known{".obj", CurveFormat::obj},   Known{".csv", CurveFormat::table},
+    Known{".xyz", CurveFormat::table}, Known{".txt", CurveFormat::table},
+    Known{".tsv", CurveFormat::table}, Known{".dat", CurveFormat::table},
+    Known{".pts", CurveFormat::table}, Known{".json", CurveFormat::json},
+};
+
+// Files of other kinds that people have curves in.
+struct Foreign {
+  std::string_view extensions;  // between blanks
+  std::string_view remedy;
+};
+constexpr std::array foreign{
+    Foreign{" .stl .ply .off .glb .gltf .fbx .3mf ",
+            "is a mesh and holds no curves; save the curve itself as OBJ or CSV"},
+    Foreign{" .step .stp .igs .iges .3dm .sat .x_t .dwg .skp .blend ",
+            "is of a CAD program; export the curve there as DXF or OBJ, or its points as CSV"},
+    Foreign{" .geojson .gpx .kml .shp ",
+            "is of a map, in degrees; project it to metres and save the points as CSV, x,y,z a "
+            "line"},
+    Foreign{" .vtp .vtk .vtu .vtm .pvd .cpt .pvsm ",
+            "is of ParaView; there choose File, Save Data, and save the points as CSV"},
+    Foreign{" .pdf .ai .eps .ps .cdr .png .jpg .jpeg ",
+            "is a picture or a page; save the drawing as plain SVG"},
+    Foreign{" .xlsx .xls .ods ", "is of a spreadsheet; save the sheet as CSV, x, y, z a line"}};
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+// The first words of a text, of lines that are no comments.
+std::vector<std::string_view> first_words(std::string_view text) {
+  constexpr std::size_t enough = 4;
+  std::vector<std::string_view> result;
+  for (const std::string_view line : lines(text.substr(0, 4096))) {
+    for (const std::string_view word : words(line.substr(0, line.find('#'))))
+      result.push_back(word);
+    if (result.size() >= enough) break;
+  }
+  return result;
+}
+
+std::optional<CurveFormat> format_by_content(std::string_view text) {
+  const auto first = first_words(text);
+  if (first.empty()) return std::nullopt;
+  if (first[0].starts_with('{') || first[0].starts_with('[')) return CurveFormat::json;
+  constexpr std::array<std::string_view, 7> obj_words{"v", "o", "g", "mtllib", "l", "vn", "cstype"};
+  if (std::ranges::find(obj_words, first[0]) != obj_words.end()) return CurveFormat::obj;
+  return std::nullopt;
+}
+
+std::string extensions() {
+  std::string text;
+  for (const Known& one : known)
+    text += std::string(text.empty() ? "" : ", ") + std::string(one.extension);
+  return text;
+}
+
+}  // namespace
+
+CurveFormat format_of(const std::filesystem::path& path, std::string_view text,
+                      const std::string& file) {
+  const std::string extension = lower_extension(path);
+  for (const Foreign& one : foreign)
+    if (!extension.empty() && one.extensions.find(" " + extension + " ") != std::string_view::npos)
+      fail(file, std::string(one.remedy));
+  const auto by_content = format_by_content(text);
+  for (const Known& one : known)
+    if (extension == one.extension)
+      // A table is what any text file may hold, and names do not tell which.
+      return one.format == CurveFormat::table ? by_content.value_or(one.format) : one.format;
+  if (by_content) return *by_content;
+  if (!extension.empty() && path != "-")
+    fail(file, "unknown kind of curve file '" + extension + "'; use one of " + extensions());
+  return CurveFormat::table;
+}
+
+CurveFile parse_curves(const std::filesystem::path& path, std::string_view text,
+                       const std::string& file) {
+  switch (format_of(path, text, file)) {
+    case CurveFormat::obj:
+      return parse_obj(text, file);
+    case CurveFormat::json:
+      return parse_curve_json(text, file);
+    case CurveFormat::table:
+      break;
+  }
+  return parse_table(text, file);
+}
+
+}  // namespace tencer::io

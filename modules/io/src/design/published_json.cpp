@@ -1,0 +1,78 @@
+#include "design/published_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tencer/der/section.hpp>
+
+#include "design/design_parts.hpp"
+
+namespace tencer::io {
+namespace {
+
+void read_rod(const JsonValue& value, model::Design& design) {
+  der::Rod rod;
+  rod.closed = value["closed"].boolean();
+  rod.section = published_section(value["youngs_modulus"].positive(), value["radius"].positive());
+  for (const JsonValue& length : value["rest_lengths"].items()) length.positive();
+  rod.rest_lengths = value["rest_lengths"].numbers();
+  design.target.push_back(read_shape(value["target"], rod.closed));
+  design.pose.push_back(read_shape(value["published_equilibrium"], rod.closed));
+  const long n = design.target.back().cols();
+  check_count(value["published_equilibrium"], design.pose.back().cols(), n, "points, as in target");
+  check_count(value["rest_lengths"], rod.edges(), rod.closed ? n : n - 1, "numbers");
+  design.structure.rods.push_back(std::move(rod));
+}
+
+}  // namespace
+
+der::Section published_section(double youngs_modulus, double radius) {
+  const der::Section circle = der::solid_circle(youngs_modulus, 0.5, radius);
+  const double angle = 2 * std::numbers::pi / 1000;
+  const double area = std::sin(angle) / angle;
+  const double inertia = area * (2 + std::cos(angle)) / 3;
+  return {.EA = circle.EA * area,
+          .EI1 = circle.EI1 * inertia,
+          .EI2 = circle.EI2 * inertia,
+          .GJ = circle.GJ * inertia,
+          .shape = circle.shape};
+}
+
+void build_in_pose(model::Design& design, const JsonValue& cables) {
+  design.target_directors.assign(design.target.size(), Eigen::Matrix3Xd(3, 0));
+  design.pose_directors = design.target_directors;
+  design.built = model::built_in_pose(design.structure, design.pose);
+  for (std::size_t c = 0; c < design.built.size(); ++c)
+    if (!(design.built[c].length > 0))
+      cables.fail("the two ends of cable " + std::to_string(c) + " are the same point");
+}
+
+bool are_flat(const std::vector<Eigen::Matrix3Xd>& rods) {
+  return std::ranges::all_of(rods, [&](const Eigen::Matrix3Xd& points) {
+    return (points.row(2).array() == rods[0](2, 0)).all();
+  });
+}
+
+bool is_published(const nlohmann::json& content) {
+  return content.is_object() && content.contains("rods") && content.contains("cables") &&
+         !content.contains("schema");
+}
+
+model::Design design_from_published(const JsonValue& root) {
+  model::Design design;
+  model::Structure& structure = design.structure;
+  if (root.has("name")) design.name = root["name"].text();
+  for (const JsonValue& rod : root["rods"].items()) read_rod(rod, design);
+  if (structure.rods.empty()) root["rods"].fail("expected at least one rod");
+  if (root.has("anchors")) structure.anchors = root["anchors"].points();
+  structure.planar = are_flat(design.target);
+  for (const JsonValue& cable : root["cables"].items())
+    structure.cables.push_back({.a = read_end(cable["a"], structure),
+                                .b = read_end(cable["b"], structure),
+                                .stiffness = cable["stiffness"].positive(),
+                                .rest_length = cable["rest_length"].at_least_zero()});
+  build_in_pose(design, root["cables"]);
+  return design;
+}
+
+}  // namespace tencer::io

@@ -1,0 +1,79 @@
+// Scenes of files that hold rods but say nothing of how to design.
+#include <tencer/io/curve.hpp>
+#include <tencer/io/scene.hpp>
+#include <tencer/model/redesign.hpp>
+#include <utility>
+
+#include "curves/curve_format.hpp"
+#include "design/design_json.hpp"
+#include "text/bad_input.hpp"
+#include "text/read_text.hpp"
+
+namespace tencer::io {
+namespace {
+
+using model::Scene;
+
+void check_crossings(const Scene& scene) {
+  if (const auto crossing = model::crossing(scene)) fail(scene.source, *crossing);
+}
+
+// What only bare curves take.
+void refuse_curve_options(const SceneOptions& options, const std::string& instead) {
+  if (options.close) fail("--closed", "is for bare curves; " + instead);
+  if (options.length_unit) fail("--unit", "is for bare curves; " + instead);
+}
+
+Scene scene_of_design(const nlohmann::json& content, const std::filesystem::path& path,
+                      const SceneOptions& options) {
+  refuse_curve_options(options, "a design says itself");
+  Scene scene =
+      model::scene_of(any_design(JsonValue(content, shown(path)), path), options.material);
+  scene.source = shown(path);
+  check_crossings(scene);
+  return scene;
+}
+
+Scene scene_of(CurveFile file, const std::filesystem::path& path, const SceneOptions& options) {
+  for (geometry::Polyline& curve : file.curves)
+    if (options.close)
+      if (const auto problem = close_curve(curve)) fail(shown(path), "to be closed: " + *problem);
+  if (options.length_unit)
+    take_unit(file, *options.length_unit);
+  else if (file.length_unit)
+    file.notes.push_back("the file says that its numbers are " + *file.length_unit);
+  Scene scene = model::scene_of(file.curves, path == "-" ? "stdin" : path.stem().string(),
+                                file.length_unit.value_or(Scene().length_unit), Scene().force_unit,
+                                options.material);
+  scene.source = shown(path);
+  scene.notes = std::move(file.notes);
+  check_crossings(scene);
+  return scene;
+}
+
+}  // namespace
+
+core::Expected<Scene> read_any_scene(const std::filesystem::path& path,
+                                     const SceneOptions& options) {
+  if (path.extension() == ".toml")
+    return guarded([&] {
+      refuse_curve_options(options, "in a scene say closed = true of the rod, or length_unit");
+      return value_or_fail(read_scene(path, options));
+    });
+  return guarded([&] {
+    const std::string text = read_text(path);
+    if (format_of(path, text, shown(path)) == CurveFormat::json) {
+      const nlohmann::json content = JsonValue::parse(text, shown(path));
+      if (is_design(content)) return scene_of_design(content, path, options);
+    }
+    return scene_of(parse_curves(path, text, shown(path)), path, options);
+  });
+}
+
+core::Expected<Scene> scene_of_curves(const std::vector<geometry::Polyline>& curves,
+                                      const std::filesystem::path& source) {
+  if (curves.empty()) return core::Error{source.string(), "holds no curves"};
+  return guarded([&] { return scene_of({.curves = curves}, source, {}); });
+}
+
+}  // namespace tencer::io
