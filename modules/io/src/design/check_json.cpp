@@ -1,7 +1,10 @@
 #include <tencer/io/check.hpp>
+#include <tencer/io/file.hpp>
 
 #include "design/design_json.hpp"
+#include "design/json_value.hpp"
 #include "design/pretty_json.hpp"
+#include "text/bad_input.hpp"
 
 namespace tencer::io {
 namespace {
@@ -143,6 +146,21 @@ Json to_json(const Check& check, const Design& design) {
   return result;
 }
 
+FiledCheck filed_check(const JsonValue& json) {
+  FiledCheck check{.passed = json["passed"].boolean()};
+  for (const JsonValue& reason : json["fails"].items()) check.fails.push_back(reason.text());
+  for (const JsonValue& line : json["lines"].items())
+    check.lines.push_back({line["section"].text(), line["text"].text(), line["fails"].boolean()});
+  // What is not finite is no number in the file.
+  if (json.has("forgives") && json["forgives"]["percentile_95"].raw().is_number()) {
+    const JsonValue forgives = json["forgives"];
+    check.tolerance = {forgives["length_error"].at_least_zero(),
+                       forgives["attachment_error"].at_least_zero(),
+                       forgives["percentile_95"].at_least_zero()};
+  }
+  return check;
+}
+
 }  // namespace
 
 std::string check_text(const Design& design, const Check& check) {
@@ -150,5 +168,14 @@ std::string check_text(const Design& design, const Check& check) {
 }
 
 Json check_to_json(const Check& check, const Design& design) { return to_json(check, design); }
+
+core::Expected<std::optional<FiledCheck>> read_check(const std::filesystem::path& path) {
+  return guarded([&]() -> std::optional<FiledCheck> {
+    const nlohmann::json content = JsonValue::parse(value_or_fail(read_file(path)), path.string());
+    const JsonValue root(content, path.string());
+    if (!root.has("check")) return std::nullopt;
+    return filed_check(root["check"]);
+  });
+}
 
 }  // namespace tencer::io

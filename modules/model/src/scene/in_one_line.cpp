@@ -1,31 +1,26 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <tencer/core/words.hpp>
 #include <tencer/geometry/polyline.hpp>
 #include <tencer/model/scene.hpp>
 #include <tencer/model/units.hpp>
+#include <tencer/model/words.hpp>
 #include <tuple>
+
+#include "scene/with_digits.hpp"
 
 namespace tencer::model {
 namespace {
 
 using core::counted;
 
-// With as many digits as a tape measure gives.
-std::string number(double value, int digits) {
-  std::ostringstream text;
-  text.precision(std::max(digits, static_cast<int>(std::log10(std::max(value, 1.0))) + 1));
-  text << value;
-  return text.str();
-}
-
 std::string rods_in_words(const Scene& scene) {
   const auto& rods = scene.structure.rods;
   const auto count = static_cast<int>(rods.size());
   const auto closed = static_cast<int>(std::ranges::count(rods, true, &der::Rod::closed));
-  const std::string length = number(total_length(scene.structure), 4) + ' ' + scene.length_unit;
+  const std::string length =
+      with_digits(total_length(scene.structure), 4) + ' ' + scene.length_unit;
   if (closed == count) return counted(count, "closed rod") + ", " + length;
   if (closed == 0) return counted(count, "open rod") + ", " + length;
   return counted(count, "rod") + " (" + std::to_string(closed) + " closed), " + length;
@@ -34,31 +29,6 @@ std::string rods_in_words(const Scene& scene) {
 // A program's scene may be in a unit of its own, of which no size in metres is known.
 bool known_unit(const Scene& scene) {
   return std::ranges::find(length_units(), scene.length_unit) != length_units().end();
-}
-
-// In mm where that is known.
-std::string shape_in_words(const der::Shape& shape, const Scene& scene) {
-  const bool known = known_unit(scene);
-  const double factor = known ? metres(scene.length_unit) / metres("mm") : 1.0;
-  const std::string unit = known ? " mm" : ' ' + scene.length_unit;
-  const auto size = [&](double value) { return number(value * factor, 3); };
-  if (const auto* circle = std::get_if<der::Circle>(&shape))
-    return "circle r " + size(circle->radius) + unit;
-  if (const auto* tube = std::get_if<der::Tube>(&shape))
-    return "tube r " + size(tube->outer_radius) + " / " + size(tube->inner_radius) + unit;
-  if (const auto* rectangle = std::get_if<der::Rectangle>(&shape))
-    return "rectangle " + size(rectangle->width) + " x " + size(rectangle->height) + unit;
-  return "section by its stiffnesses";
-}
-
-// Named, with a modulus or density of its own where the name does not say it.
-std::string material_in_words(const Material& material) {
-  std::string text = material.name;
-  const auto named = find_material(material.name);
-  const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-3 * std::abs(b); };
-  if (!named || differs(material.youngs_modulus, named->youngs_modulus))
-    text += " with E " + number(material.youngs_modulus / 1e9, 3) + " GPa";
-  return text;
 }
 
 // What there is to say of each rod, each once.
@@ -74,7 +44,7 @@ std::string said_once(std::size_t rods, const Say& say) {
   return text;
 }
 
-std::optional<std::string> mass_in_words(const Scene& scene) {
+std::optional<std::string> mass_of_rods(const Scene& scene) {
   if (!known_unit(scene)) return std::nullopt;
   double mass = 0;
   for (std::size_t r = 0; r < scene.structure.rods.size(); ++r) {
@@ -84,7 +54,7 @@ std::optional<std::string> mass_in_words(const Scene& scene) {
     if (!per_length) return std::nullopt;
     mass += *per_length * rod.length() * metres(scene.length_unit);
   }
-  return mass < 1 ? number(mass * 1e3, 2) + " g" : number(mass, 3) + " kg";
+  return mass_in_words(mass);
 }
 
 std::string box_in_words(const Scene& scene) {
@@ -98,7 +68,7 @@ std::string box_in_words(const Scene& scene) {
   const double place = std::pow(10.0, std::floor(std::log10(sizes[0])) - 1);
   for (const double size : sizes)
     text += (text.empty() ? "" : " x ") +
-            number(std::max(0.0, std::ceil(size / place - 1e-6)) * place, 2);
+            with_digits(std::max(0.0, std::ceil(size / place - 1e-6)) * place, 2);
   return text + ' ' + scene.length_unit;
 }
 
@@ -108,15 +78,15 @@ std::string in_one_line(const Scene& scene) {
   const auto& rods = scene.structure.rods;
   const auto& materials = scene.structure.materials;
   std::string text = rods_in_words(scene) + ", " + said_once(rods.size(), [&](std::size_t r) {
-                       return shape_in_words(rods[r].section.shape, scene);
+                       return in_words(rods[r].section.shape, scene.length_unit);
                      });
   if (!materials.empty()) {
     // Stiffnesses are not those of a material.
     const std::string made_of = said_once(rods.size(), [&](std::size_t r) {
-      return der::area(rods[r].section.shape) ? material_in_words(materials[r]) : "";
+      return der::area(rods[r].section.shape) ? in_words(materials[r]) : "";
     });
     if (!made_of.empty()) text += ", " + made_of;
-    if (const auto mass = mass_in_words(scene)) text += ", " + *mass;
+    if (const auto mass = mass_of_rods(scene)) text += ", " + *mass;
   }
   return text + "; fits in " + box_in_words(scene);
 }

@@ -36,17 +36,23 @@ std::vector<double> outer_radii(const Structure& structure) {
   return radii;
 }
 
-std::vector<MarkPair> neighbouring_marks(const std::vector<springs::Cable>& cables,
-                                         const std::vector<geometry::ArcLength>& along) {
+std::vector<std::vector<Mark>> marks_along(const std::vector<springs::Cable>& cables,
+                                           const std::vector<geometry::ArcLength>& along) {
   std::vector<std::vector<Mark>> marks(along.size());
   for (int c = 0; c < static_cast<int>(cables.size()); ++c)
     for (const int end : {0, 1})
       if (const auto* on = std::get_if<springs::OnRod>(end == 0 ? &cables[c].a : &cables[c].b))
         marks[on->rod].push_back({along[on->rod].wrap(on->s), c, end});
+  for (auto& own : marks) std::ranges::stable_sort(own, {}, &Mark::s);
+  return marks;
+}
+
+std::vector<MarkPair> neighbouring_marks(const std::vector<springs::Cable>& cables,
+                                         const std::vector<geometry::ArcLength>& along) {
+  const auto marks = marks_along(cables, along);
   std::vector<MarkPair> pairs;
   for (int rod = 0; rod < static_cast<int>(marks.size()); ++rod) {
-    auto& own = marks[rod];
-    std::ranges::sort(own, {}, &Mark::s);
+    const auto& own = marks[rod];
     const bool around = along[rod].closed() && own.size() > 1;
     for (std::size_t i = 0; i + 1 < own.size() + (around ? 1 : 0); ++i) {
       const Mark& second = own[(i + 1) % own.size()];

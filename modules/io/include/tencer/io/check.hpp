@@ -2,7 +2,10 @@
 // design's units, whether it passed, and what fails.
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <tencer/core/error.hpp>
 #include <tencer/model/check.hpp>
 #include <tencer/model/design.hpp>
 
@@ -11,5 +14,22 @@ namespace tencer::io {
 // A JSON object; the file of a design that has a check holds the same under "check". Readers leave
 // it alone: it holds of this file only.
 std::string check_text(const model::Design& design, const model::Check& check);
+
+// What the file of a design tells of its check, for those who build it.
+struct FiledCheck {
+  // With errors of cutting and tying up to these, 95 % of the structures are so near the pose.
+  struct Tolerance {
+    double length_error = 0.0;
+    double attachment_error = 0.0;
+    double percentile_95 = 0.0;
+  };
+  bool passed = false;
+  std::vector<std::string> fails{};       // why not, a clause each
+  std::vector<model::CheckLine> lines{};  // what each section says
+  std::optional<Tolerance> tolerance{};   // in the design's unit of length
+};
+
+// Not set: the file's design was not checked. Errors: as read_design's.
+core::Expected<std::optional<FiledCheck>> read_check(const std::filesystem::path& path);
 
 }  // namespace tencer::io

@@ -20,6 +20,11 @@ struct Mark {
   int end = 0;  // of the cable: 0 for a, 1 for b
 };
 
+// The marks of every rod, along it (those at one place in the order of their cables), wrapped on
+// closed rods and clamped on open ones. along: the rods' arc lengths.
+std::vector<std::vector<Mark>> marks_along(const std::vector<springs::Cable>& cables,
+                                           const std::vector<geometry::ArcLength>& along);
+
 // Two marks next to each other on a rod, the second `apart` further on; 0 for the same place.
 struct MarkPair {
   Mark first{};

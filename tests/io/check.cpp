@@ -1,0 +1,55 @@
+#include <tencer/io/check.hpp>
+#include <tencer/io/design.hpp>
+
+#include "fixtures/folder.hpp"
+#include "sample_design.hpp"
+
+using namespace tencer;
+
+TEST_CASE("What a check found can be read from the design's file again") {
+  const Folder folder;
+  model::Design design = sample();
+  design.check = model::Check{};
+  design.check->stands = model::Stands{.rests = true, .certified = false};
+  design.check->forgives = model::Forgives{.length_error = 1,
+                                           .attachment_error = 2,
+                                           .max_deviation = 5,
+                                           .draws = 10,
+                                           .percentile_95 = 2.125};
+  REQUIRE_FALSE(io::write_design(folder / "design.json", design));
+  const auto read = io::read_check(folder / "design.json");
+  REQUIRE(read);
+  REQUIRE(*read);
+  const io::FiledCheck& check = **read;
+  const model::CheckUnits units{design.length_unit, design.force_unit};
+  CHECK_FALSE(check.passed);
+  CHECK(check.fails == model::shortfalls(*design.check, units));
+  const auto lines = model::sections(*design.check, units);
+  REQUIRE(check.lines.size() == lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    CHECK(check.lines[i].section == lines[i].section);
+    CHECK(check.lines[i].text == lines[i].text);
+    CHECK(check.lines[i].fails == lines[i].fails);
+  }
+  REQUIRE(check.tolerance);
+  CHECK(check.tolerance->length_error == 1);
+  CHECK(check.tolerance->attachment_error == 2);
+  CHECK(check.tolerance->percentile_95 == 2.125);
+}
+
+TEST_CASE("A deviation that is not finite is none") {
+  const Folder folder;
+  model::Design design = sample();
+  design.check = model::Check{.forgives = model::Forgives{.percentile_95 = no_number}};
+  REQUIRE_FALSE(io::write_design(folder / "design.json", design));
+  CHECK_FALSE((*io::read_check(folder / "design.json"))->tolerance);
+}
+
+TEST_CASE("A design that nobody checked has no check, and one that is broken has an error") {
+  const Folder folder;
+  REQUIRE_FALSE(io::write_design(folder / "design.json", sample()));
+  CHECK_FALSE(*io::read_check(folder / "design.json"));
+  const auto broken = io::read_check(folder.put("broken.json", R"({"check": {"passed": true}})"));
+  REQUIRE_FALSE(broken);
+  CHECK(folder.local(broken.error().text()) == "broken.json: check: the key \"fails\" is missing");
+}
