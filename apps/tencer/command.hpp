@@ -57,6 +57,7 @@ CLI::Option* add_choice(CLI::App& command, const std::string& option, std::optio
 
 void add_check(CLI::App& app, Command& chosen);
 void add_design(CLI::App& app, Command& chosen);
+void add_fabricate(CLI::App& app, Command& chosen);
 void add_feasible(CLI::App& app, Command& chosen);
 void add_simulate(CLI::App& app, Command& chosen);
 void add_stress(CLI::App& app, Command& chosen);

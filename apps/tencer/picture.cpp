@@ -10,6 +10,8 @@
 #include <tencer/geometry/measure.hpp>
 #include <vector>
 
+#include "axes.hpp"
+
 namespace tencer::app {
 namespace {
 
@@ -44,26 +46,6 @@ Eigen::Matrix3Xd all_points(const model::Design& design) {
   return points;
 }
 
-// Rows: right, up, towards the reader. The least principal axis of the points towards the reader,
-// then tilted, so that curves in planes along the axes are not seen edge-on.
-Matrix3d view_rotation(const Eigen::Matrix3Xd& points) {
-  const Eigen::Matrix3Xd centred = points.colwise() - points.rowwise().mean();
-  Matrix3d covariance = centred * centred.transpose();
-  // Where extents are equal, x is right and z towards the reader.
-  covariance += 0.02 * covariance.trace() * Vector3d(2, 1, 0).asDiagonal().toDenseMatrix();
-  Matrix3d rows = Eigen::SelfAdjointEigenSolver<Matrix3d>(covariance).eigenvectors().transpose();
-  rows.row(0).swap(rows.row(2));  // the greatest extent first
-  for (const int axis : {0, 1}) {
-    Eigen::Index largest = 0;
-    rows.row(axis).cwiseAbs().maxCoeff(&largest);
-    if (rows(axis, largest) < 0) rows.row(axis) *= -1;
-  }
-  rows.row(2) = rows.row(0).cross(rows.row(1));
-  const auto tilt =
-      Eigen::AngleAxisd(-0.5, Vector3d::UnitX()) * Eigen::AngleAxisd(0.35, Vector3d::UnitY());
-  return tilt.toRotationMatrix() * rows;
-}
-
 // From the design's coordinates to the drawing's: x right, y down, z towards the reader, with a
 // mild perspective.
 struct View {
@@ -90,7 +72,7 @@ struct Frame {
 };
 
 Frame frame_of(const Eigen::Matrix3Xd& points) {
-  View view{.rotation = view_rotation(points),
+  View view{.rotation = oblique_axes(points),
             .centre = (points.rowwise().minCoeff() + points.rowwise().maxCoeff()) / 2};
   view.radius = (points.colwise() - view.centre).colwise().norm().maxCoeff();
   core::require(std::isfinite(view.radius) && view.radius > 0,

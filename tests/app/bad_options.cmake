@@ -32,6 +32,17 @@ endforeach()
 refused("--max-deviation: " "expected a positive number in %, mm, cm or m, found 0"
   check design.json --max-deviation 0)
 refused("none.json: " "there is no such file" check none.json -o out)
+foreach(option --joint --knot)
+  refused("${option}: " "expected a length in mm, cm or m, found -1"
+    fabricate design.json ${option} -1)
+endforeach()
+foreach(value 0 nan 2ft)
+  refused("--stock: " "expected a length above zero in mm, cm or m, found ${value}"
+    fabricate design.json --stock ${value})
+endforeach()
+refused("--paper: " "a4,letter" fabricate design.json --paper a3)
+refused("--price-rod: " "expected a positive number, found 0" fabricate design.json --price-rod 0)
+refused("none.json: " "there is no such file" fabricate none.json -o out)
 if(MMA)
   refused("--hessian: " "belongs to the optimizer ipopt"
     design ring.obj -o out --optimizer mma --hessian exact)

@@ -1,6 +1,8 @@
 #include <Eigen/Geometry>
+#include <array>
 #include <catch2/catch.hpp>
 #include <tencer/curves/analytic.hpp>
+#include <tencer/curves/braid.hpp>
 #include <tencer/curves/knots.hpp>
 #include <tencer/fabricate/threading.hpp>
 
@@ -72,4 +74,17 @@ TEST_CASE("Knots are told from rings, however they are turned") {
       CHECK(fabricate::threading(std::vector{rod}).knotted[0] == (r < 2));
     }
   }
+}
+
+TEST_CASE("No knot of up to seven crossings is taken for a ring") {
+  for (const curves::KnotBraid& braid : curves::knot_table()) {
+    const auto rods = std::vector{curves::braid_closure(braid.strands, braid.word)};
+    INFO(braid.name);
+    CHECK(fabricate::threading(rods).knotted[0]);
+  }
+  // Two strands that cross once are a ring with a kink.
+  CHECK_FALSE(
+      fabricate::threading(std::vector{curves::braid_closure(2, std::array{1})}).knotted[0]);
+  CHECK_FALSE(
+      fabricate::threading(std::vector{curves::braid_closure(4, std::array{1, -2, 3})}).knotted[0]);
 }

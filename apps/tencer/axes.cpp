@@ -1,0 +1,31 @@
+#include "axes.hpp"
+
+#include <Eigen/Dense>
+
+namespace tencer::app {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Matrix3d principal_axes(const Eigen::Matrix3Xd& points) {
+  const Eigen::Matrix3Xd centred = points.colwise() - points.rowwise().mean();
+  Matrix3d covariance = centred * centred.transpose();
+  covariance += 0.02 * covariance.trace() * Vector3d(2, 1, 0).asDiagonal().toDenseMatrix();
+  Matrix3d rows = Eigen::SelfAdjointEigenSolver<Matrix3d>(covariance).eigenvectors().transpose();
+  rows.row(0).swap(rows.row(2));  // the greatest extent first
+  for (const int axis : {0, 1}) {
+    Eigen::Index largest = 0;
+    rows.row(axis).cwiseAbs().maxCoeff(&largest);
+    if (rows(axis, largest) < 0) rows.row(axis) *= -1;
+  }
+  rows.row(2) = rows.row(0).cross(rows.row(1));
+  return rows;
+}
+
+Matrix3d oblique_axes(const Eigen::Matrix3Xd& points) {
+  const auto tilt =
+      Eigen::AngleAxisd(-0.5, Vector3d::UnitX()) * Eigen::AngleAxisd(0.35, Vector3d::UnitY());
+  return tilt.toRotationMatrix() * principal_axes(points);
+}
+
+}  // namespace tencer::app

@@ -1,0 +1,16 @@
+// From where a structure shows most of itself.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace tencer::app {
+
+// Rows: right, up, towards the reader: the principal axes of points (3 x n), the greatest extent to
+// the right, the least towards the reader. Where extents are equal, x is right and z towards the
+// reader.
+Eigen::Matrix3d principal_axes(const Eigen::Matrix3Xd& points);
+
+// The same, turned so that curves in planes along the axes are not seen edge-on.
+Eigen::Matrix3d oblique_axes(const Eigen::Matrix3Xd& points);
+
+}  // namespace tencer::app

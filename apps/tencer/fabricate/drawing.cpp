@@ -1,0 +1,243 @@
+#include "fabricate/drawing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tencer/fabricate/names.hpp>
+
+#include "fabricate/labels.hpp"
+
+namespace tencer::app {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr Colour plain_rod{0.70, 0.73, 0.76};
+
+// On paper: what is drawn, with the gaps, and the words' places.
+class Sketch {
+ public:
+  Sketch(Canvas& canvas, const Seen& seen, const Spot& spot, const Look& look)
+      : canvas_(canvas), seen_(seen), spot_(spot), look_(look) {
+    for (const Path& line : seen.lines()) lines_.push_back(on_paper(line));
+  }
+
+  void draw() {
+    find_strokes();
+    const int rods = seen_.solid().rods;
+    for (int r = 0; r < rods; ++r)
+      for (const Path& stroke : strokes_[r])
+        canvas_.path(stroke, {look_.plain ? plain_rod : rod_colour(r), look_.rod_width});
+    for (int c = 0; c < seen_.solid().cables(); ++c) draw_cable(c);
+    for (int r = 0; r < rods && look_.words; ++r) draw_start(r);
+    draw_anchors();
+    place_words();
+  }
+
+ private:
+  Path on_paper(const Path& points) const {
+    const Vector2d centre = seen_.box().center();
+    Path paper(2, points.cols());
+    paper.row(0) = spot_.middle.x() + spot_.scale * (points.row(0).array() - centre.x());
+    paper.row(1) = spot_.middle.y() - spot_.scale * (points.row(1).array() - centre.y());
+    return paper;
+  }
+  bool is_rod(int curve) const { return curve < seen_.solid().rods; }
+  bool drawn(int cable) const { return look_.tied.empty() || look_.tied[cable]; }
+  bool visible(int curve) const { return is_rod(curve) || drawn(curve - seen_.solid().rods); }
+  double width(int curve) const { return is_rod(curve) ? look_.rod_width : look_.cable_width; }
+
+  double along(const geometry::EdgePoint& at) const {
+    const Eigen::VectorXd& lengths = lengths_[at.rod];
+    return (1 - at.t) * lengths[at.edge] + at.t * lengths[at.edge + 1];
+  }
+
+  // A cable meets its own rods where it is tied.
+  bool is_tie(const fabricate::Crossing& c) const {
+    constexpr double beside = 1.5;
+    for (const auto& [cable, rod] : {std::pair(c.over, c.under), std::pair(c.under, c.over)}) {
+      if (is_rod(cable.rod) || !is_rod(rod.rod)) continue;
+      const auto& own = seen_.solid().ends_on[cable.rod - seen_.solid().rods];
+      const double from_a = along(cable);
+      const double from_b = lengths_[cable.rod].tail<1>()[0] - from_a;
+      if (std::ranges::count(own, rod.rod) > 0 && std::min(from_a, from_b) < beside) return true;
+    }
+    return false;
+  }
+
+  void find_strokes() {
+    const double clear = 0.42 * look_.rod_width;
+    constexpr double most = 4;  // times as long as at a right angle
+    const auto& curves = seen_.solid().curves;
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      lengths_.push_back(lengths_along(lines_[i], curves[i].closed));
+    std::vector<std::vector<Gap>> gaps(lines_.size());
+    for (const fabricate::Crossing& c : seen_.crossings()) {
+      const bool under_thin_line = is_rod(c.under.rod) && !is_rod(c.over.rod);
+      if (under_thin_line || !visible(c.over.rod) || is_tie(c)) continue;
+      const double half = (width(c.over.rod) / 2 + clear) / std::max(std::abs(c.sine), 1 / most);
+      const double at = along(c.under);
+      gaps[c.under.rod].push_back({at - half, at + half});
+    }
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      strokes_.push_back(strokes(lines_[i], curves[i].closed, std::move(gaps[i])));
+  }
+
+  void draw_cable(int c) {
+    if (!drawn(c)) return;
+    const bool is_new = c == look_.new_cable;
+    const Pen pen{is_new || !look_.plain ? accent : ink,
+                  is_new ? 2.2 * look_.cable_width : look_.cable_width};
+    const int curve = seen_.solid().rods + c;
+    for (const Path& stroke : strokes_[curve]) canvas_.path(stroke, pen);
+    for (const Eigen::Index end : {0, 1})
+      canvas_.disc(lines_[curve].col(end), look_.rod_width * (is_new ? 0.75 : 0.5), pen.colour);
+  }
+
+  // A ring at the start, and an arrow a little further on.
+  void draw_start(int r) {
+    constexpr double to_arrow = 6;
+    constexpr double length = 3.2;
+    const Path& line = lines_[r];
+    canvas_.disc(line.col(0), 1.3 * look_.rod_width, rod_colour(r));
+    canvas_.disc(line.col(0), 0.75 * look_.rod_width, white);
+    const Eigen::VectorXd& lengths = lengths_[r];
+    const double end = lengths[lengths.size() - 1];
+    const auto parts =
+        strokes(line, seen_.solid().curves[r].closed,
+                {{0, std::min(to_arrow, end / 3)}, {std::min(to_arrow + length, end / 2), end}});
+    if (parts.empty()) return;
+    const Vector2d tail = parts[0].col(0);
+    const Vector2d tip = parts[0].rightCols(1);
+    const Vector2d across = 0.45 * Vector2d(tail.y() - tip.y(), tip.x() - tail.x());
+    Path head(2, 3);
+    head << tip, tail + across, tail - across;
+    canvas_.area(head, rod_colour(r));
+    busy_.insert(busy_.end(), 6, (tail + tip) / 2);
+  }
+
+  void draw_anchors() {
+    const double side = 2.2 * look_.rod_width;
+    const Path anchors = on_paper(seen_.anchors());
+    for (const Vector2d at : anchors.colwise())
+      canvas_.rectangle(at.x() - side / 2, at.y() - side / 2, side, side,
+                        look_.plain ? plain_rod : soft_ink);
+    for (const Vector2d at : anchors.colwise()) busy_.insert(busy_.end(), 4, at);
+  }
+
+  std::vector<Vector2d> busy_points() const {
+    constexpr double step = 0.8;
+    std::vector<Vector2d> points = busy_;
+    for (std::size_t i = 0; i < strokes_.size(); ++i) {
+      if (!visible(static_cast<int>(i))) continue;
+      for (const Path& stroke : strokes_[i])
+        for (Eigen::Index p = 0; p + 1 < stroke.cols(); ++p) {
+          const Vector2d edge = stroke.col(p + 1) - stroke.col(p);
+          const int pieces = 1 + static_cast<int>(edge.norm() / step);
+          for (int k = 0; k < pieces; ++k) points.emplace_back(stroke.col(p) + edge * k / pieces);
+        }
+    }
+    return points;
+  }
+
+  void write(Labels& labels, const std::string& words, const Font& font,
+             const std::vector<Vector2d>& anchors, bool on) {
+    constexpr double margin = 0.5;
+    const Vector2d size(canvas_.width_of(words, font) + 2 * margin, font.size * 0.95);
+    const Vector2d middle = labels.place(anchors, size, on);
+    const auto nearest = std::ranges::min_element(
+        anchors, {}, [&](const Vector2d& anchor) { return (anchor - middle).norm(); });
+    const bool away =
+        !Eigen::AlignedBox2d(middle - 0.8 * size, middle + 0.8 * size).contains(*nearest);
+    if (away) canvas_.line(middle.x(), middle.y(), nearest->x(), nearest->y(), {font.colour, 0.1});
+    canvas_.rectangle(middle.x() - size.x() / 2, middle.y() - size.y() / 2, size.x(), size.y(),
+                      white);
+    Font centred = font;
+    centred.align = Align::centre;
+    canvas_.text(middle.x(), middle.y() + 0.36 * font.size, words, centred);
+  }
+
+  void place_words() {
+    Labels labels(spot_.bounds, busy_points());
+    for (int r = 0; r < seen_.solid().rods && look_.words; ++r)
+      write(labels, fabricate::rod_name(r), {4.6, true, rod_colour(r)}, {lines_[r].col(0)}, false);
+    for (int c = 0; c < seen_.solid().cables(); ++c)
+      if (drawn(c) && (!look_.plain || c == look_.new_cable)) number_cable(labels, c);
+    if (!look_.words) return;
+    const Path anchors = on_paper(seen_.anchors());
+    for (int a = 0; a < anchors.cols(); ++a)
+      write(labels, fabricate::anchor_name(a), {2.5, false, soft_ink}, {anchors.col(a)}, false);
+  }
+
+  void number_cable(Labels& labels, int c) {
+    const Path& line = lines_[seen_.solid().rods + c];
+    std::vector<Vector2d> anchors;
+    for (const double t : {0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82})
+      anchors.emplace_back((1 - t) * line.col(0) + t * line.col(1));
+    write(labels, fabricate::cable_name(c), {2.7, true, accent}, anchors, true);
+  }
+
+  Canvas& canvas_;
+  const Seen& seen_;
+  const Spot& spot_;
+  const Look& look_;
+  std::vector<Path> lines_;
+  std::vector<Eigen::VectorXd> lengths_;
+  std::vector<std::vector<Path>> strokes_;
+  std::vector<Vector2d> busy_;  // what words should not hide, beside lines
+};
+
+// The least of some round numbers times a power of ten that is not less than the value.
+double round_up(double value, std::span<const double> steps) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : steps)
+    if (step * power >= value * (1 - 1e-9)) return step * power;
+  return 10 * power;
+}
+
+std::string short_number(double value) {
+  std::string text = fabricate::tenths(value);
+  if (text.ends_with(".0")) text.resize(text.size() - 2);
+  return text;
+}
+
+}  // namespace
+
+Seen::Seen(const Solid& solid, const Eigen::Matrix3d& axes)
+    : solid_(solid),
+      anchors_((axes * solid.anchors).topRows<2>()),
+      crossings_(fabricate::crossings(solid.curves, axes)) {
+  for (const auto& curve : solid.curves) lines_.emplace_back((axes * curve.points).topRows<2>());
+  for (const Path& line : lines_)
+    for (const auto& point : line.colwise()) box_.extend(Vector2d(point));
+  for (const auto& point : anchors_.colwise()) box_.extend(Vector2d(point));
+}
+
+void draw(Canvas& canvas, const Seen& seen, const Spot& spot, const Look& look) {
+  Sketch(canvas, seen, spot, look).draw();
+}
+
+double usual_scale(const Vector2d& size, const Vector2d& room) {
+  constexpr std::array<double, 16> steps{1,   1.2, 1.4, 1.6, 1.8, 2, 2.2, 2.5,
+                                         2.8, 3.2, 3.6, 4,   5,   6, 7,   8};
+  const double needed = std::max(size.x() / room.x(), size.y() / room.y());
+  if (needed >= 1) return 1 / round_up(needed, steps);
+  return std::max(1.0, std::floor(1 / needed));  // enlarged
+}
+
+std::string scale_words(double scale) {
+  return scale > 1 ? short_number(scale) + " : 1" : "1 : " + short_number(1 / scale);
+}
+
+void draw_scale_bar(Canvas& canvas, double x, double y, double scale) {
+  constexpr double least = 30;  // on paper
+  constexpr std::array<double, 4> steps{1, 2, 3, 5};
+  const double length = round_up(least / scale, steps);
+  const double left = x - length * scale;
+  canvas.line(left, y, x, y, {ink, 0.3});
+  for (const double end : {left, x}) canvas.line(end, y - 1, end, y + 1, {ink, 0.3});
+  canvas.text((left + x) / 2, y + 3.6, short_number(length) + " mm  ·  scale " + scale_words(scale),
+              {2.6, false, soft_ink, Align::centre});
+}
+
+}  // namespace tencer::app

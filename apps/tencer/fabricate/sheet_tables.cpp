@@ -1,0 +1,92 @@
+// The sheet's tables as CSV: every row names its design, every number its unit.
+#include <array>
+#include <tencer/fabricate/names.hpp>
+#include <tencer/io/csv.hpp>
+
+#include "fabricate/sheet.hpp"
+
+namespace tencer::app {
+namespace {
+
+using fabricate::cable_name;
+using fabricate::rod_name;
+using io::CsvRow;
+using io::to_text;
+
+std::string table(const CsvRow& titles, const std::vector<CsvRow>& rows) {
+  std::string text = io::csv_line(titles);
+  for (const CsvRow& row : rows) text += io::csv_line(row);
+  return text;
+}
+
+std::string optional_number(const std::optional<double>& number) {
+  return number ? to_text(*number) : std::string();
+}
+
+std::string rods_table(const Sheet& sheet) {
+  std::vector<CsvRow> rows;
+  for (std::size_t r = 0; r < sheet.list.rods.size(); ++r) {
+    const fabricate::RodCut& rod = sheet.list.rods[r];
+    rows.push_back({sheet.title, rod_name(static_cast<int>(r)), rod.closed ? "true" : "false",
+                    to_text(rod.length), to_text(rod.cut), to_text(rod.radius),
+                    optional_number(rod.mass), optional_number(rod.nearest_mark)});
+  }
+  return table({"design", "rod", "closed", "length_mm", "cut_mm", "outer_radius_mm", "mass_kg",
+                "nearest_mark_to_joint_mm"},
+               rows);
+}
+
+std::string marks_table(const Sheet& sheet) {
+  std::vector<CsvRow> rows;
+  for (std::size_t r = 0; r < sheet.list.rods.size(); ++r)
+    for (const model::Mark& mark : sheet.list.rods[r].marks)
+      rows.push_back({sheet.title, rod_name(static_cast<int>(r)), to_text(mark.s),
+                      cable_name(mark.cable), mark.end == 0 ? "from" : "to"});
+  return table({"design", "rod", "s_mm", "cable", "end"}, rows);
+}
+
+// The rod or anchor, and the place on the rod.
+std::array<std::string, 2> end_cells(const springs::End& end) {
+  if (const auto* anchor = std::get_if<springs::AtAnchor>(&end))
+    return {fabricate::anchor_name(anchor->anchor), ""};
+  const auto& on = std::get<springs::OnRod>(end);
+  return {rod_name(on.rod), to_text(on.s)};
+}
+
+std::string cables_table(const Sheet& sheet) {
+  std::vector<int> step(sheet.order.size());
+  for (std::size_t i = 0; i < sheet.order.size(); ++i)
+    step[sheet.order[i]] = static_cast<int>(i) + 1;
+  std::vector<CsvRow> rows;
+  for (std::size_t c = 0; c < sheet.list.cables.size(); ++c) {
+    const fabricate::CableCut& cable = sheet.list.cables[c];
+    const auto [from, from_s] = end_cells(cable.a);
+    const auto [to, to_s] = end_cells(cable.b);
+    rows.push_back({sheet.title, cable_name(static_cast<int>(c)), from, from_s, to, to_s,
+                    to_text(cable.tension), to_text(cable.between_centres),
+                    to_text(cable.between_knots), to_text(cable.cut), std::to_string(step[c])});
+  }
+  return table({"design", "cable", "from", "from_s_mm", "to", "to_s_mm", "tension_N",
+                "between_centres_mm", "between_knots_mm", "cut_mm", "tying_step"},
+               rows);
+}
+
+std::string anchors_table(const Sheet& sheet) {
+  std::vector<CsvRow> rows;
+  const Eigen::Matrix3Xd& anchors = sheet.solid.anchors;
+  for (int a = 0; a < anchors.cols(); ++a)
+    rows.push_back({sheet.title, fabricate::anchor_name(a), to_text(anchors(0, a)),
+                    to_text(anchors(1, a)), to_text(anchors(2, a))});
+  return table({"design", "anchor", "x_mm", "y_mm", "z_mm"}, rows);
+}
+
+}  // namespace
+
+std::vector<io::NamedText> sheet_tables(const Sheet& sheet) {
+  return {{"rods.csv", rods_table(sheet)},
+          {"marks.csv", marks_table(sheet)},
+          {"cables.csv", cables_table(sheet)},
+          {"anchors.csv", anchors_table(sheet)}};
+}
+
+}  // namespace tencer::app
