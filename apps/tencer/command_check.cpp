@@ -62,7 +62,8 @@ void add_check(CLI::App& app, Command& chosen) {
   command->footer(examples);
   const auto request = std::make_shared<CheckRequest>();
   pipeline::CheckOptions& options = request->options;
-  command->add_option("DESIGN", request->input, "Design file (design.json)")->required();
+  command->add_option("DESIGN", request->input, "Design (design.json), or a published model")
+      ->required();
   command->add_option("--length-error", options.length_error_mm, "Of a cable's length, mm")
       ->check(not_negative_number())
       ->capture_default_str();

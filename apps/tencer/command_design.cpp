@@ -32,12 +32,12 @@ constexpr const char* examples = R"(Examples:
   tencer design curve.obj --method dense-springs --optimizer mma
   tencer design scene.toml --explain         first what this scene needs, and what is left out
 
-INPUT is a scene (.toml, see docs/scene.md) or a curve (.obj, .csv, .xyz, .txt, .json). The folder
-gets design.json, trace.csv (error against run time), pose.obj, report.txt, view.html and
-picture.svg. With --trade-off these are of the fewest cables within the max error (or of the closest
-design), and trade-off.csv and a folder for each number of cables, such as cables-8/, come to them.
-Options override the scene; --max-error and --trade-off also its number of cables. Ctrl-C ends early
-with the best design so far.)";
+INPUT is a scene (.toml, see docs/scene.md), a curve (.obj, .csv, .json, .svg, .dxf and others, see
+docs/curves.md) or a design whose target is designed for anew. The folder gets design.json, trace.csv
+(error against run time), pose.obj, report.txt, view.html and picture.svg. With --trade-off these are
+of the fewest cables within the max error (or of the closest design), and trade-off.csv and a folder
+for each number of cables, such as cables-8/, come to them. Options override the scene; --max-error
+and --trade-off also its number of cables. Ctrl-C ends early with the best design so far.)";
 
 struct DesignRequest {
   SceneRequest scene;
@@ -170,7 +170,9 @@ core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Lo
   apply_errors(request, *scene);
   const std::filesystem::path folder =
       request.output.empty()
-          ? std::filesystem::path(request.scene.input.stem().string() + "-design")
+          ? std::filesystem::path(
+                (request.scene.input == "-" ? "stdin" : request.scene.input.stem().string()) +
+                "-design")
           : request.output;
   if (const auto error = io::folder_problem(folder)) return *error;
   if (request.explain) {

@@ -27,9 +27,10 @@ struct FeasibleRequest {
   std::filesystem::path output;
 };
 
-core::Expected<ExitCode> run_feasible(const FeasibleRequest& request) {
+core::Expected<ExitCode> run_feasible(const FeasibleRequest& request, const core::Log& log) {
   const auto scene = requested_scene(request.scene);
   if (!scene) return scene.error();
+  for (const std::string& note : scene->notes) log(core::Level::info, note);
   if (!request.output.empty())
     if (const auto error = io::folder_problem(request.output)) return *error;
   const Interrupt interrupt;
@@ -53,7 +54,7 @@ void add_feasible(CLI::App& app, Command& chosen) {
   add_scene(*command, request->scene,
             "As a design is asked for a number of cables: it may be further off");
   command->callback([&chosen, request] {
-    chosen = [request](const core::Log&) { return run_feasible(*request); };
+    chosen = [request](const core::Log& log) { return run_feasible(*request, log); };
   });
 }
 

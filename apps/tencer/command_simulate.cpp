@@ -74,7 +74,8 @@ void add_simulate(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("simulate", "Find where a design comes to rest");
   command->footer(examples);
   const auto request = std::make_shared<SimulateRequest>();
-  command->add_option("DESIGN", request->input, "Design file (design.json)")->required();
+  command->add_option("DESIGN", request->input, "Design (design.json), or a published model")
+      ->required();
   command->add_option("--from", request->from, "Where the rods start")
       ->check(CLI::IsMember({"target", "pose"}))
       ->capture_default_str();

@@ -55,9 +55,16 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
       {ring + "vertices = 2\n",
        "s.toml:3: rod[0].vertices: expected a whole number from 3, found 2"},
       {ring + "vertices = 2000000000\n",
-       "s.toml:3: rod[0].vertices: expected a whole number of at most 1000000, found 2000000000"},
+       "s.toml:3: rod[0].vertices: expected a whole number of at most 20000, found 2000000000"},
       {"[[rod]]\nfamily = 'circle'\nvertices = 2000000000\n",
-       "s.toml:3: rod[0].vertices: expected a whole number of at most 1000000, found 2000000000"},
+       "s.toml:3: rod[0].vertices: expected a whole number of at most 20000, found 2000000000"},
+      {"[[rod]]\nfamily = 'circle'\nvertices = 15000\n[[rod]]\nfamily = 'circle'\nvertices = "
+       "15000\n",
+       "s.toml:1: the rods have 30000 vertices altogether, more than 20000; a design takes a tenth "
+       "of that, so say fewer vertices of the rods"},
+      {ring + "section = {radius = 1e-308}\n",
+       "s.toml:3: rod[0].section: makes a stiffness of 0; look at its sizes, modulus and units"},
+      {"[[rod]]\ncurve = '/dev/zero'\n", "/dev/zero: is a device; a file is needed"},
       {ring + "vertices = 10.5\n",
        "s.toml:3: rod[0].vertices: expected a whole number, found 10.5"},
       {"[[rod]]\nfamily = 'torusknot'\n",
@@ -245,6 +252,10 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
     CAPTURE(bad.text);
     CHECK(folder.error(bad.text) == bad.error);
   }
+  std::string deep = "a";
+  for (int i = 0; i < 100'000; ++i) deep += ".a";
+  CHECK(folder.error(deep + " = 1\n") ==
+        "s.toml:1: a key has more than 50 parts; no scene has such");
   CHECK(folder.local(read_scene(folder / "none.toml").error().text()) ==
         "none.toml: there is no such file");
 }

@@ -202,8 +202,7 @@ TEST_CASE("curves that are bad are refused with place and remedy") {
       {"c.obj", "v 0 -inf 0\n", "c.obj:1: '-inf' is not a finite number"},
       {"c.obj", "v 0 0 0\nv 1 0 0\nl 1 3\n",
        "c.obj:3: vertex index 3 is out of range: use 1 to 2, or -1 to -2"},
-      {"c.obj", "v 0 0 0\nv 1 0 0\nl 0 1\n",
-       "c.obj:3: vertex index 0 is out of range: use 1 to 2, or -1 to -2"},
+      {"c.obj", "v 0 0 0\nv 1 0 0\nl 0 1\n", "c.obj:3: vertex index 0: OBJ counts from 1"},
       {"c.obj", "v 0 0 0\nl 1 -2\n",
        "c.obj:2: vertex index -2 is out of range: use 1 to 1, or -1 to -1"},
       {"c.obj", "l 1 2\n",
@@ -215,8 +214,9 @@ TEST_CASE("curves that are bad are refused with place and remedy") {
       {"c.obj", "", "c.obj: the file holds no vertices (v x y z)"},
       {"c.obj", "vertex 0 0 0\n",
        "c.obj:1: unknown keyword 'vertex'; curves are given by v (vertex) and l (line) elements"},
-      {"c.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n",
-       "c.obj:4: the file holds faces but no curves; curves are given by l (line) elements"},
+      {"c.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nf 1 2 3\nf 2 3 4\n",
+       "c.obj:6: the file holds a mesh, faces that share vertices, and no curves; curves are given "
+       "by l (line) elements, or each by one face of its own"},
       {"c.obj", "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 2 -1 0\nl 1 2\nl 2 3\nl 2 4\n",
        "c.obj:7: three line elements end at vertex 2; a rod cannot branch, so give each rod its "
        "own "
@@ -224,18 +224,23 @@ TEST_CASE("curves that are bad are refused with place and remedy") {
       {"c.obj", "v 0 0 0\nv 1 0 0\nl 1 2 1\n",
        "c.obj:3: a closed curve needs at least 3 different points, found 2"},
       {"c.obj", "v 0 0 0\nv 1 0 0\ncstype bspline\ndeg 3\ncurv 0 1 1 2\n",
-       "c.obj:3: the file holds a free-form curve (cstype), of which control points are known and "
-       "not "
-       "the curve; convert it to a mesh before export (in Blender: Object, Convert, Mesh), so that "
-       "it "
-       "has l (line) elements"},
+       "c.obj:5: this curve cannot be drawn: it has too few control points for its degree"},
+      {"c.obj", "cstype cardinal\n",
+       "c.obj:1: a curve of type 'cardinal' is not read, only bspline and bezier; convert it to "
+       "lines before export"},
       {"c.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 1.5 0 0\n",
        "c.obj: the curve turns straight back at vertex 3, where no elastic rod can follow; remove "
        "this point or move it"},
       {"c.csv", "x,y,z\n0,0,0\n1,0,0\nx,y,z\n", "c.csv:4: 'x' is not a number"},
-      {"c.csv", "0,0,0\n1,0\n",
-       "c.csv:2: expected 3 numbers x, y, z, found 2 fields; a flat curve needs a z too: add a "
-       "third column of zeros"},
+      {"c.csv", "0,0,0\n1,0\n", "c.csv:2: expected 3 numbers x, y, z, found 2 fields"},
+      {"c.csv", "0,5,0,0,1,0\n",
+       "c.csv:1: expected 3 numbers x, y, z, found 6 fields; where commas are decimal, separate "
+       "the "
+       "numbers by semicolons"},
+      {"c.csv", "1,0,0,0\n",
+       "c.csv:1: expected 3 numbers x, y, z, found 4 fields; name the columns in a first line, "
+       "such "
+       "as x, y, z, others"},
       {"c.csv", "0,0,0\n1,,0\n", "c.csv:2: '' is not a number"},
       {"c.csv", "0,0,0\n1 2,0,0\n", "c.csv:2: '1 2' is not a number"},
       {"c.csv", "0,0,0\n1,0,NaN\n", "c.csv:2: 'NaN' is not a finite number"},
@@ -254,10 +259,12 @@ TEST_CASE("curves that are bad are refused with place and remedy") {
        "c.xyz:1: expected 3 numbers x, y, z, found 4 fields; drop the word before the three "
        "numbers "
        "of each line"},
-      {"c.json", "[{\"x\": 0, \"y\": 0, \"z\": 0}]",
-       "c.json: [0]: expected a point [x, y, z], found an object; write each point {\"x\": 1, "
-       "\"y\": "
-       "2, \"z\": 3} as [1, 2, 3]"},
+      {"c.json", "[[0,0],[1,0,0]]", "c.json: [1]: expected a point [x, y], like the first"},
+      {"c.json", "{\"type\": \"Feature\", \"geometry\": {}}",
+       "c.json: is GeoJSON, a map in degrees; project it to metres and save the points as CSV, "
+       "x,y,z a line"},
+      {"c.json", "{\"x\": [1], \"y\": [1, 2]}",
+       "c.json: x, y and z must be equally many; found 1, 2 and 1"},
       {"c.json", "{\"curves\": [\n{\"points\": [[0,0,0],\n[1,0,NaN]]}]}",
        "c.json:3: is not valid JSON: syntax error while parsing value - invalid literal; last "
        "read: '0,N'"},

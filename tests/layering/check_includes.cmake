@@ -16,6 +16,7 @@ set(third_party
   "^nlopt\\.hp?p?$ NLopt optimize_nlopt"
   "^nlohmann/ nlohmann_json io"
   "^toml\\+\\+/ tomlplusplus io"
+  "^pugixml\\.hpp$ pugixml io"
   "^spdlog/|^fmt/ spdlog none"
   "^range/v3/ range-v3 any")
 

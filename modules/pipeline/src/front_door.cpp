@@ -145,10 +145,13 @@ core::Expected<model::Design> design(const std::filesystem::path& file,
     const auto scene = io::read_scene(file, {.material = material_of(options)});
     return scene ? design(*scene, options) : core::Expected<model::Design>(scene.error());
   }
-  const auto curves = io::read_curve_file(file);
+  auto curves = io::read_curve_file(file);
   if (!curves) return curves.error();
   DesignOptions units = options;
-  if (!options.length_unit) units.length_unit = curves->length_unit;
+  if (curves->length_unit && !options.length_unit) {
+    io::take_unit(*curves, *curves->length_unit);
+    units.length_unit = curves->length_unit;
+  }
   model::Scene scene = scene_of(curves->curves, file.stem().string(), units);
   scene.source = file.string();
   scene.notes = curves->notes;

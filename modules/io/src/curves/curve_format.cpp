@@ -5,9 +5,12 @@
 #include <cctype>
 #include <optional>
 
+#include "curves/curve_dxf.hpp"
 #include "curves/curve_json.hpp"
 #include "curves/curve_obj.hpp"
+#include "curves/curve_svg.hpp"
 #include "curves/curve_table.hpp"
+#include "curves/curve_vect.hpp"
 #include "text/bad_input.hpp"
 #include "text/text.hpp"
 
@@ -18,12 +21,12 @@ struct Known {
   std::string_view extension;
   CurveFormat format;
 };
-constexpr std::array known{
-    Known{".obj", CurveFormat::obj},   Known{".csv", CurveFormat::table},
-    Known{".xyz", CurveFormat::table}, Known{".txt", CurveFormat::table},
-    Known{".tsv", CurveFormat::table}, Known{".dat", CurveFormat::table},
-    Known{".pts", CurveFormat::table}, Known{".json", CurveFormat::json},
-};
+constexpr std::array known{Known{".obj", CurveFormat::obj},   Known{".csv", CurveFormat::table},
+                           Known{".xyz", CurveFormat::table}, Known{".txt", CurveFormat::table},
+                           Known{".tsv", CurveFormat::table}, Known{".dat", CurveFormat::table},
+                           Known{".pts", CurveFormat::table}, Known{".json", CurveFormat::json},
+                           Known{".vect", CurveFormat::vect}, Known{".vec", CurveFormat::vect},
+                           Known{".svg", CurveFormat::svg},   Known{".dxf", CurveFormat::dxf}};
 
 // Files of other kinds that people have curves in.
 struct Foreign {
@@ -63,10 +66,19 @@ std::vector<std::string_view> first_words(std::string_view text) {
   return result;
 }
 
+bool is_vect(std::string_view word) {
+  return word == "VECT" || word == "4VECT" || word == "{VECT" || word == "appearance";
+}
+
 std::optional<CurveFormat> format_by_content(std::string_view text) {
   const auto first = first_words(text);
   if (first.empty()) return std::nullopt;
+  if (is_vect(first[0]) || (first.size() > 1 && first[0] == "{" && is_vect(first[1])))
+    return CurveFormat::vect;
+  if (first[0].starts_with('<')) return CurveFormat::svg;
   if (first[0].starts_with('{') || first[0].starts_with('[')) return CurveFormat::json;
+  if ((first[0] == "0" && first.size() > 1 && first[1] == "SECTION") || first[0] == "999")
+    return CurveFormat::dxf;
   constexpr std::array<std::string_view, 7> obj_words{"v", "o", "g", "mtllib", "l", "vn", "cstype"};
   if (std::ranges::find(obj_words, first[0]) != obj_words.end()) return CurveFormat::obj;
   return std::nullopt;
@@ -105,6 +117,12 @@ CurveFile parse_curves(const std::filesystem::path& path, std::string_view text,
       return parse_obj(text, file);
     case CurveFormat::json:
       return parse_curve_json(text, file);
+    case CurveFormat::vect:
+      return parse_vect(text, file);
+    case CurveFormat::svg:
+      return parse_svg(text, file);
+    case CurveFormat::dxf:
+      return parse_dxf(text, file);
     case CurveFormat::table:
       break;
   }

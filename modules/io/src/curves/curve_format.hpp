@@ -8,7 +8,7 @@
 
 namespace tencer::io {
 
-enum class CurveFormat { obj, table, json };
+enum class CurveFormat { obj, table, json, vect, svg, dxf };
 
 // By the extension, or else by how the text begins. Throws BadInput for files that are known to be
 // something else, with what to do about it.

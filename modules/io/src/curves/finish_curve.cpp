@@ -93,6 +93,12 @@ double coordinate(std::string_view field, const std::string& where) {
   return *number;
 }
 
+void check_drawn(const ListedCurve& curve) {
+  for (const Eigen::Vector3d& point : curve.points)
+    if (!(point.cwiseAbs().maxCoeff() <= largest_number))
+      fail(curve.where, "its numbers are too large, or too different in size, to draw it");
+}
+
 geometry::Polyline finish_curve(const ListedCurve& curve, std::vector<std::string>& notes) {
   const auto listed = static_cast<int>(curve.points.size());
   if (listed < 2)

@@ -22,6 +22,9 @@ struct ListedCurve {
   std::function<std::string(int)> name_of;   // "vertex 12", as the file numbers it
 };
 
+// Throws BadInput where points that were computed overflowed.
+void check_drawn(const ListedCurve& curve);
+
 // Throws BadInput for what curve.hpp calls an error; what it says is dropped or closed goes to the
 // notes.
 geometry::Polyline finish_curve(const ListedCurve& curve, std::vector<std::string>& notes);

@@ -19,7 +19,7 @@ model::Design any_design(const JsonValue& root, const std::filesystem::path& pat
   const bool published = is_published(root.raw());
   if (!published && !is_program_state(root.raw())) return design_from_json(root);
   model::Design design = published ? design_from_published(root) : design_from_program_state(root);
-  if (design.name.empty()) design.name = path.stem().string();
+  if (design.name.empty()) design.name = stem(path);
   return design;
 }
 

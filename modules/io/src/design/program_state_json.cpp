@@ -64,7 +64,7 @@ void read_rods(const JsonValue& root, model::Design& design) {
     if (pose.size() < at + sizes.pose_unknowns()) root["defoVars"].fail("holds too few numbers");
     design.structure.rods.push_back(
         {.closed = closed,
-         .section = published_section(moduli[r].positive(), radii[r].positive()),
+         .section = published_section(moduli[r], radii[r]),
          .rest_lengths = stored.head(closed ? sizes.vertices : sizes.vertices - 1)});
     design.target.push_back(points_of(targets[r], target, 0, sizes));
     design.pose.push_back(points_of(root["defoVars"], pose, at, sizes));

@@ -6,6 +6,7 @@
 #include <tencer/der/section.hpp>
 
 #include "design/design_parts.hpp"
+#include "text/text.hpp"
 
 namespace tencer::io {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 void read_rod(const JsonValue& value, model::Design& design) {
   der::Rod rod;
   rod.closed = value["closed"].boolean();
-  rod.section = published_section(value["youngs_modulus"].positive(), value["radius"].positive());
+  rod.section = published_section(value["youngs_modulus"], value["radius"]);
   for (const JsonValue& length : value["rest_lengths"].items()) length.positive();
   rod.rest_lengths = value["rest_lengths"].numbers();
   design.target.push_back(read_shape(value["target"], rod.closed));
@@ -26,8 +27,15 @@ void read_rod(const JsonValue& value, model::Design& design) {
 
 }  // namespace
 
-der::Section published_section(double youngs_modulus, double radius) {
-  const der::Section circle = der::solid_circle(youngs_modulus, 0.5, radius);
+der::Section published_section(const JsonValue& youngs_modulus, const JsonValue& radius) {
+  constexpr double least = 1e-90;
+  constexpr double most = 1e90;
+  const double E = youngs_modulus.positive();
+  const double r = radius.positive();
+  for (const double size : {E * r * r, E * r * r * r * r})
+    if (!(size > least && size < most))
+      radius.fail("with this modulus no rod has stiffnesses near " + to_text(size));
+  const der::Section circle = der::solid_circle(E, 0.5, r);
   const double angle = 2 * std::numbers::pi / 1000;
   const double area = std::sin(angle) / angle;
   const double inertia = area * (2 + std::cos(angle)) / 3;
@@ -45,6 +53,9 @@ void build_in_pose(model::Design& design, const JsonValue& cables) {
   for (std::size_t c = 0; c < design.built.size(); ++c)
     if (!(design.built[c].length > 0))
       cables.fail("the two ends of cable " + std::to_string(c) + " are the same point");
+  for (const model::BuiltCable& cable : design.built)
+    if (!(std::abs(cable.tension) <= largest_number))
+      cables.fail("a cable pulls with " + to_text(cable.tension));
 }
 
 bool are_flat(const std::vector<Eigen::Matrix3Xd>& rods) {

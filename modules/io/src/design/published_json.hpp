@@ -24,12 +24,14 @@ model::Design design_from_program_state(const JsonValue& root);
 
 // The section of both, of an inscribed polygon of 1000 sides instead of a circle: EA smaller by
 // 6.6e-6, EI and GJ by 1.3e-5. Stored equilibria are those of these stiffnesses.
-der::Section published_section(double youngs_modulus, double radius);
+// Fails at the radius where that makes stiffnesses that no rod has.
+der::Section published_section(const JsonValue& youngs_modulus, const JsonValue& radius);
 
 // Whether they all lie in one plane z = const.
 bool are_flat(const std::vector<Eigen::Matrix3Xd>& rods);
 
-// Builds the cables in the design's pose; where their two ends meet, `cables` fails.
+// Builds the cables in the design's pose; where their two ends meet or a tension overflows,
+// `cables` fails.
 void build_in_pose(model::Design& design, const JsonValue& cables);
 
 }  // namespace tencer::io

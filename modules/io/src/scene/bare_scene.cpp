@@ -6,6 +6,8 @@
 
 #include "curves/curve_format.hpp"
 #include "design/design_json.hpp"
+#include "scene/parse_scene.hpp"
+#include "scene/vertex_limit.hpp"
 #include "text/bad_input.hpp"
 #include "text/read_text.hpp"
 
@@ -30,6 +32,11 @@ Scene scene_of_design(const nlohmann::json& content, const std::filesystem::path
   Scene scene =
       model::scene_of(any_design(JsonValue(content, shown(path)), path), options.material);
   scene.source = shown(path);
+  long vertices = 0;
+  for (const Eigen::Matrix3Xd& points : scene.target.points) vertices += points.cols();
+  if (vertices > most_vertices)
+    fail(shown(path), "has rods of " + std::to_string(vertices) + " vertices, more than " +
+                          std::to_string(most_vertices));
   check_crossings(scene);
   return scene;
 }
@@ -38,30 +45,35 @@ Scene scene_of(CurveFile file, const std::filesystem::path& path, const SceneOpt
   for (geometry::Polyline& curve : file.curves)
     if (options.close)
       if (const auto problem = close_curve(curve)) fail(shown(path), "to be closed: " + *problem);
-  if (options.length_unit)
-    take_unit(file, *options.length_unit);
-  else if (file.length_unit)
+  if (file.length_unit && !options.length_unit)
     file.notes.push_back("the file says that its numbers are " + *file.length_unit);
-  Scene scene = model::scene_of(file.curves, path == "-" ? "stdin" : path.stem().string(),
-                                file.length_unit.value_or(Scene().length_unit), Scene().force_unit,
-                                options.material);
+  if (const auto unit = options.length_unit ? options.length_unit : file.length_unit)
+    take_unit(file, *unit);
+  limit_vertices(file.curves, shown(path), file.notes);
+  Scene scene =
+      model::scene_of(file.curves, stem(path), file.length_unit.value_or(Scene().length_unit),
+                      Scene().force_unit, options.material);
   scene.source = shown(path);
   scene.notes = std::move(file.notes);
   check_crossings(scene);
   return scene;
 }
 
+// What comes through a pipe has no name to tell.
+bool is_scene(const std::filesystem::path& path, std::string_view text) {
+  return path == "-" ? text.find("[[rod]]") != std::string_view::npos : path.extension() == ".toml";
+}
+
 }  // namespace
 
 core::Expected<Scene> read_any_scene(const std::filesystem::path& path,
                                      const SceneOptions& options) {
-  if (path.extension() == ".toml")
-    return guarded([&] {
-      refuse_curve_options(options, "in a scene say closed = true of the rod, or length_unit");
-      return value_or_fail(read_scene(path, options));
-    });
   return guarded([&] {
     const std::string text = read_text(path);
+    if (is_scene(path, text)) {
+      refuse_curve_options(options, "in a scene say closed = true of the rod, or length_unit");
+      return parse_scene(text, path, options);
+    }
     if (format_of(path, text, shown(path)) == CurveFormat::json) {
       const nlohmann::json content = JsonValue::parse(text, shown(path));
       if (is_design(content)) return scene_of_design(content, path, options);

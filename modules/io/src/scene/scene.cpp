@@ -8,6 +8,7 @@
 #include <tencer/model/units.hpp>
 #include <utility>
 
+#include "scene/parse_scene.hpp"
 #include "scene/scene_rods.hpp"
 #include "scene/scene_section.hpp"
 #include "scene/toml_value.hpp"
@@ -319,13 +320,13 @@ void check_plane(const Scene& scene, const std::string& where) {
                " and anchor " + std::to_string(i) + " has z = " + to_text(anchors(2, i)));
 }
 
-Scene parse_scene(const TomlTable& root, const std::filesystem::path& path,
-                  const SceneOptions& options) {
+Scene read_root(const TomlTable& root, const std::filesystem::path& path,
+                const SceneOptions& options) {
   root.only({"name", "length_unit", "force_unit", "planar", "anchors", "frame", "pinned", "gravity",
              "loads", "rod", "design", "build"});
   Scene scene;
   model::Structure& structure = scene.structure;
-  scene.name = root.text("name").value_or(path.stem().string());
+  scene.name = root.text("name").value_or(stem(path));
   scene.source = shown(path);
   scene.length_unit = root.one_of("length_unit", model::length_units()).value_or(scene.length_unit);
   scene.force_unit = root.one_of("force_unit", model::force_units()).value_or(scene.force_unit);
@@ -351,11 +352,14 @@ Scene parse_scene(const TomlTable& root, const std::filesystem::path& path,
 
 }  // namespace
 
+Scene parse_scene(std::string_view text, const std::filesystem::path& path,
+                  const SceneOptions& options) {
+  const toml::table content = TomlTable::parse(text, shown(path));
+  return read_root(TomlTable(content, shown(path)), path, options);
+}
+
 core::Expected<Scene> read_scene(const std::filesystem::path& path, const SceneOptions& options) {
-  return guarded([&] {
-    const toml::table content = TomlTable::parse(read_text(path), shown(path));
-    return parse_scene(TomlTable(content, shown(path)), path, options);
-  });
+  return guarded([&] { return parse_scene(read_text(path), path, options); });
 }
 
 }  // namespace tencer::io

@@ -14,6 +14,7 @@
 
 #include "curves/finish_curve.hpp"
 #include "scene/scene_section.hpp"
+#include "scene/vertex_limit.hpp"
 #include "text/bad_input.hpp"
 #include "text/text.hpp"
 
@@ -44,7 +45,7 @@ std::vector<Polyline> family_targets(const TomlTable& rod) {
       values[i] = given->number(keys[i]).value_or(values[i]);
   }
   const int vertices =
-      rod.integer("vertices", min_vertices, geometry::max_vertices).value_or(family.vertices);
+      rod.integer("vertices", min_vertices, most_vertices).value_or(family.vertices);
   if (const auto problem = curves::family_problem(family, values, vertices))
     rod.fail(rod.has("parameters") ? "parameters" : "family", *problem);
   return curves::family_curves(family, values, vertices);
@@ -69,6 +70,7 @@ std::vector<Polyline> file_targets(const TomlTable& rod, const Source& source) {
     source.notes.push_back(file.string() + " says that its numbers are " + *content.length_unit +
                            ", but the scene's length_unit is " + source.units.length +
                            ", and that is taken");
+  limit_vertices(content.curves, file.string(), source.notes);
   return std::move(content.curves);
 }
 
@@ -83,7 +85,7 @@ std::vector<Polyline> spline_targets(const TomlTable& rod, const Source& source)
   const Eigen::Matrix3Xd points = *rod.points("spline");
   for (const auto& point : points.colwise()) listed.points.emplace_back(point);
   const int vertices =
-      rod.integer("vertices", min_vertices, geometry::max_vertices).value_or(standard_vertices);
+      rod.integer("vertices", min_vertices, most_vertices).value_or(standard_vertices);
   return {geometry::sample_spline(finish_curve(listed, source.notes), vertices)};
 }
 
@@ -123,7 +125,7 @@ std::vector<Polyline> curves_of(const TomlTable& table, const Source& source) {
   }
   close_or_check(table, curves);
   if (table.has("curve"))
-    if (const auto vertices = table.integer("vertices", min_vertices, geometry::max_vertices))
+    if (const auto vertices = table.integer("vertices", min_vertices, most_vertices))
       for (Polyline& curve : curves) curve = geometry::resample(curve, *vertices);
   return curves;
 }
@@ -223,6 +225,14 @@ void check_directors(const TomlTable& table, const ListedRod& rod, const der::Se
                "the start of the curve");
 }
 
+// Sizes that no rod has: computing with them would overflow, or divide by zero.
+void check_stiffness(const TomlTable& table, const der::Section& section) {
+  for (const double stiffness : {section.EA, section.EI1, section.EI2, section.GJ})
+    if (!(stiffness >= 1 / largest_number && stiffness <= largest_number))
+      table.fail("section", "makes a stiffness of " + to_text(stiffness) +
+                                "; look at its sizes, modulus and units");
+}
+
 // Adds the rod to the scene, with its weight when there is gravity (m/s^2).
 void add(const ListedRod& listed, double radius, const Eigen::Vector3d& gravity,
          const TomlTable& table, model::Scene& scene) {
@@ -230,6 +240,7 @@ void add(const ListedRod& listed, double radius, const Eigen::Vector3d& gravity,
   model::add_rod(scene, listed.target, listed.section.material);
   der::Rod& rod = scene.structure.rods.back();
   rod.section = section(listed.section, radius, units);
+  check_stiffness(table, rod.section);
   rod.closing_angle = listed.closing_angle;
   model::set_rest_shape(listed.rest, rod);
   scene.directors.back() = listed.director;
@@ -254,6 +265,15 @@ double radius_for(const std::vector<ListedRod>& rods) {
   return radius;
 }
 
+void check_number(const std::vector<ListedRod>& rods, const TomlTable& root) {
+  long vertices = 0;
+  for (const ListedRod& rod : rods) vertices += rod.target.vertices();
+  if (vertices > most_vertices)
+    fail(root.where(), "the rods have " + std::to_string(vertices) +
+                           " vertices altogether, more than " + std::to_string(most_vertices) +
+                           "; a design takes a tenth of that, so say fewer vertices of the rods");
+}
+
 }  // namespace
 
 void read_rods(const TomlTable& root, const std::filesystem::path& folder,
@@ -271,6 +291,7 @@ void read_rods(const TomlTable& root, const std::filesystem::path& folder,
       tables.push_back(table);
     }
   if (rods.empty()) fail(root.where(), "a scene needs at least one [[rod]] table");
+  check_number(rods, root);
   const double radius = radius_for(rods);
   for (std::size_t i = 0; i < rods.size(); ++i) add(rods[i], radius, gravity, tables[i], scene);
 }

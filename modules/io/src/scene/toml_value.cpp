@@ -1,6 +1,7 @@
 #include "scene/toml_value.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -10,6 +11,8 @@
 
 namespace tencer::io {
 namespace {
+
+constexpr std::size_t largest_scene = std::size_t{16} << 20;
 
 // A value in an error message: short ones as they are, others by their kind.
 std::string description(const toml::node& node) {
@@ -27,9 +30,37 @@ std::string element(const std::string& path, std::size_t i) {
   return path + "[" + std::to_string(i) + "]";
 }
 
+// The parser recurses into keys with dots, and so do what it gives when it goes.
+void check_depth(std::string_view text, const std::string& file) {
+  constexpr int deepest = 50;
+  int line = 1;
+  int dots = 0;  // in the key that may be here
+  bool after_word = false;
+  for (const char c : text) {
+    const bool of_word = std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' ||
+                         c == '"' || c == '\'';
+    if (c == '\n') ++line;
+    if (c == '.' && after_word) ++dots;
+    if (dots > deepest)
+      io::fail(file + ":" + std::to_string(line),
+               "a key has more than 50 parts; no scene has such");
+    if (of_word)
+      after_word = true;
+    else if (c == '.')
+      after_word = false;
+    else if (c != ' ' && c != '\t') {
+      dots = 0;
+      after_word = false;
+    }
+  }
+}
+
 }  // namespace
 
 toml::table TomlTable::parse(std::string_view text, const std::string& file) {
+  if (text.size() > largest_scene)
+    io::fail(file, "is larger than 16 MB; put the curves into files of their own");
+  check_depth(text, file);
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {

@@ -24,6 +24,10 @@ std::string shown(const std::filesystem::path& path) {
   return path == "-" ? "standard input" : path.string();
 }
 
+std::string stem(const std::filesystem::path& path) {
+  return path == "-" ? "stdin" : path.stem().string();
+}
+
 std::string read_text(const std::filesystem::path& path) {
   std::string bytes = value_or_fail(read_file(path));
   const bool little = bytes.starts_with("\xFF\xFE");

@@ -25,7 +25,7 @@ namespace tencer::io {
 
 struct CurveFile {
   std::vector<geometry::Polyline> curves{};  // at least one
-  std::optional<std::string> length_unit{};  // of a scene, when the file names one
+  std::optional<std::string> length_unit{};  // of curve_units(), when the file names one
   std::vector<std::string> notes{};          // what was taken otherwise than it stands there
 };
 
@@ -38,8 +38,8 @@ core::Expected<std::vector<geometry::Polyline>> read_curves(const std::filesyste
 // Units that the numbers of a curve may be in: mm, cm, m, in, ft.
 std::span<const std::string_view> curve_units();
 
-// Takes the numbers to be in this one of curve_units(). Scenes have no inches and feet; such curves
-// are scaled to cm.
+// Takes the numbers to be in this one of curve_units(), and makes length_unit one of a scene: these
+// have no inches and feet, so such curves are scaled to cm.
 void take_unit(CurveFile& file, std::string_view unit);
 
 // Joins the end of an open curve to its start by an edge. Set: why not, as where the ends are

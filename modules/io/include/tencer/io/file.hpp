@@ -11,7 +11,7 @@
 
 namespace tencer::io {
 
-constexpr std::size_t largest_file = std::size_t{256} << 20;  // bytes
+constexpr std::size_t largest_file = std::size_t{64} << 20;  // bytes
 
 // The bytes of the file or pipe, or of the standard input when the path is "-". Errors: the path,
 // and why it cannot be read; devices and files beyond largest_file are not.
