@@ -39,6 +39,12 @@ TEST_CASE("A rod longer than a bar is spliced, each splice taking a joint") {
   CHECK(bought->pieces[1].of == 0);
   CHECK(bought->pieces[1].length == Approx(830 - 500 + 30));
   CHECK(bought->needed == Approx(1160));
+  const auto overlaps = splices(list_with({.joint = 30}), *bought);
+  REQUIRE(overlaps.size() == 1);
+  CHECK(overlaps[0].rod == 0);
+  CHECK(overlaps[0].from == Approx(470));
+  CHECK(overlaps[0].to == Approx(500));
+  CHECK(*overlaps[0].nearest_mark == Approx(50));  // the one at 550
   const auto short_bars = buy_rods(list_with({.joint = 30}), {.stock = 30});
   REQUIRE_FALSE(short_bars);
   CHECK(short_bars.error().text() ==

@@ -45,6 +45,10 @@ class Sketch {
   bool is_rod(int curve) const { return curve < seen_.solid().rods; }
   bool drawn(int cable) const { return look_.tied.empty() || look_.tied[cable]; }
   bool visible(int curve) const { return is_rod(curve) || drawn(curve - seen_.solid().rods); }
+  // One that is only there to be remembered.
+  bool plain_cable(int curve) const {
+    return look_.plain && !is_rod(curve) && curve - seen_.solid().rods != look_.new_cable;
+  }
   double width(int curve) const { return is_rod(curve) ? look_.rod_width : look_.cable_width; }
 
   double along(const geometry::EdgePoint& at) const {
@@ -74,7 +78,8 @@ class Sketch {
     std::vector<std::vector<Gap>> gaps(lines_.size());
     for (const fabricate::Crossing& c : seen_.crossings()) {
       const bool under_thin_line = is_rod(c.under.rod) && !is_rod(c.over.rod);
-      if (under_thin_line || !visible(c.over.rod) || is_tie(c)) continue;
+      if (under_thin_line || !visible(c.over.rod) || plain_cable(c.under.rod) || is_tie(c))
+        continue;
       const double half = (width(c.over.rod) / 2 + clear) / std::max(std::abs(c.sine), 1 / most);
       const double at = along(c.under);
       gaps[c.under.rod].push_back({at - half, at + half});
@@ -129,7 +134,7 @@ class Sketch {
     constexpr double step = 0.8;
     std::vector<Vector2d> points = busy_;
     for (std::size_t i = 0; i < strokes_.size(); ++i) {
-      if (!visible(static_cast<int>(i))) continue;
+      if (!visible(static_cast<int>(i)) || plain_cable(static_cast<int>(i))) continue;
       for (const Path& stroke : strokes_[i])
         for (Eigen::Index p = 0; p + 1 < stroke.cols(); ++p) {
           const Vector2d edge = stroke.col(p + 1) - stroke.col(p);

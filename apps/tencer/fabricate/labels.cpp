@@ -1,5 +1,6 @@
 #include "fabricate/labels.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,18 +13,23 @@ constexpr double hidden_point = 1.5;
 // Over other words, or off the paper: only when there is no other place.
 constexpr double last_resort = 1e4;
 
+double x_of(const Eigen::Vector2d& point) { return point.x(); }
+
 }  // namespace
 
 Labels::Labels(const Eigen::AlignedBox2d& bounds, std::vector<Eigen::Vector2d> busy)
-    : bounds_(bounds), busy_(std::move(busy)) {}
+    : bounds_(bounds), busy_(std::move(busy)) {
+  std::ranges::sort(busy_, {}, x_of);
+}
 
 double Labels::cost(const Eigen::AlignedBox2d& box) const {
   double sum = bounds_.contains(box) ? 0 : last_resort;
   for (const auto& other : placed_)
     if (other.intersects(box)) sum += last_resort;
   if (sum > 0) return sum;
-  for (const auto& point : busy_)
-    if (box.contains(point)) sum += hidden_point;
+  for (auto point = std::ranges::lower_bound(busy_, box.min().x(), {}, x_of);
+       point != busy_.end() && point->x() <= box.max().x(); ++point)
+    if (box.contains(*point)) sum += hidden_point;
   return sum;
 }
 

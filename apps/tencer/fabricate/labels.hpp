@@ -24,7 +24,7 @@ class Labels {
   double cost(const Eigen::AlignedBox2d& box) const;
 
   Eigen::AlignedBox2d bounds_;
-  std::vector<Eigen::Vector2d> busy_;
+  std::vector<Eigen::Vector2d> busy_;  // from left to right
   std::vector<Eigen::AlignedBox2d> placed_;
 };
 

@@ -66,6 +66,16 @@ std::vector<Cells> within(Canvas& canvas, double width, const std::vector<Cells>
   return result;
 }
 
+// A rod longer than a bar is made of several.
+std::string splice_words(const fabricate::Splice& splice) {
+  std::string text =
+      "Rod " + fabricate::rod_name(splice.rod) + " is spliced at " + tenths(splice.from) + " mm";
+  if (splice.to > splice.from) text += ", its bars overlapping up to " + tenths(splice.to) + " mm";
+  if (splice.nearest_mark)
+    text += "; the nearest mark is " + tenths(*splice.nearest_mark) + " mm from there";
+  return text + '.';
+}
+
 void add_kind(Book& book, const fabricate::Purchase& purchase, const fabricate::Offer& offer,
               const Kind& kind) {
   book.heading(kind.material);
@@ -92,10 +102,8 @@ void add_kind(Book& book, const fabricate::Purchase& purchase, const fabricate::
 void add_purchase(Book& book, const Sheet& sheet) {
   book.section("What to buy");
   add_kind(book, sheet.rods, sheet.offers.rods, {"Rod", "bar", fabricate::rod_name});
-  if (sheet.rods.pieces.size() > sheet.list.rods.size())
-    book.paragraph(
-        "A rod longer than a bar is made of several, each overlapping the one before by what a "
-        "joint takes.");
+  for (const fabricate::Splice& splice : fabricate::splices(sheet.list, sheet.rods))
+    book.paragraph(splice_words(splice));
   if (!sheet.list.cables.empty())
     add_kind(book, sheet.cables, sheet.offers.cables, {"Cable", "coil", fabricate::cable_name});
   if (sheet.rods.cost && sheet.cables.cost)

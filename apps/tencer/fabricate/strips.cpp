@@ -48,7 +48,10 @@ std::vector<Place> places_of(const RodCut& rod) {
 }
 
 void draw_ruler(Canvas& canvas, const Part& part) {
-  for (auto mm = static_cast<long>(std::ceil(part.from)); mm <= static_cast<long>(part.to); ++mm) {
+  constexpr double longest = 20000;  // with a tick each mm: files stay small enough to be opened
+  const long step = part.to - part.from > longest ? 10 : 1;
+  for (auto mm = static_cast<long>(std::ceil(part.from / static_cast<double>(step))) * step;
+       mm <= static_cast<long>(part.to); mm += step) {
     const double x = part.on_paper(static_cast<double>(mm));
     const double tick = mm % 10 == 0 ? 2.8 : mm % 5 == 0 ? 2.0 : 1.2;
     canvas.line(x, part.y, x, part.y + tick, {soft_ink, mm % 10 == 0 ? 0.15 : 0.08});

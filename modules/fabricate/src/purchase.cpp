@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <tencer/fabricate/names.hpp>
 #include <tencer/fabricate/purchase.hpp>
 
@@ -29,7 +31,11 @@ core::Expected<Purchase> buy_rods(const CutList& list, const Offer& offer) {
       return core::Error{"", "bars of " + tenths(*offer.stock) + " mm are no longer than the " +
                                  tenths(joint) + " mm that a joint takes"};
     const auto pieces = offer.stock ? spliced(cut, *offer.stock, joint) : std::vector<double>{cut};
-    for (const double length : pieces) purchase.pieces.push_back({static_cast<int>(r), length});
+    double from = 0;
+    for (const double length : pieces) {
+      purchase.pieces.push_back({static_cast<int>(r), from, length});
+      from += length - joint;
+    }
   }
   buy(offer, purchase);
   return purchase;
@@ -43,10 +49,24 @@ core::Expected<Purchase> buy_cables(const CutList& list, const Offer& offer) {
     if (offer.stock && cut > *offer.stock)
       return core::Error{"", name + " is cut to " + tenths(cut) + " mm, longer than a coil of " +
                                  tenths(*offer.stock) + " mm"};
-    purchase.pieces.push_back({static_cast<int>(c), cut});
+    purchase.pieces.push_back({static_cast<int>(c), 0.0, cut});
   }
   buy(offer, purchase);
   return purchase;
+}
+
+std::vector<Splice> splices(const CutList& list, const Purchase& rods) {
+  std::vector<Splice> result;
+  for (const Piece& piece : rods.pieces) {
+    if (piece.from == 0) continue;
+    Splice splice{piece.of, piece.from, piece.from + list.allowances.joint};
+    for (const model::Mark& mark : list.rods[piece.of].marks) {
+      const double apart = std::abs(mark.s - std::clamp(mark.s, splice.from, splice.to));
+      splice.nearest_mark = std::min(splice.nearest_mark.value_or(apart), apart);
+    }
+    result.push_back(splice);
+  }
+  return result;
 }
 
 }  // namespace tencer::fabricate

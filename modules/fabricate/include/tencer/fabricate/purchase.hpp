@@ -16,7 +16,8 @@ struct Offer {
 
 // A bar's worth of a rod or a whole cable.
 struct Piece {
-  int of = 0;  // the rod or cable
+  int of = 0;         // the rod or cable
+  double from = 0.0;  // where along the rod it begins
   double length = 0.0;
 };
 
@@ -33,5 +34,14 @@ core::Expected<Purchase> buy_rods(const CutList& list, const Offer& offer);
 
 // Cables are not spliced: errors name a cable that is longer than a coil.
 core::Expected<Purchase> buy_cables(const CutList& list, const Offer& offer);
+
+// Where a rod's pieces overlap each other, from `from` to `to` along it.
+struct Splice {
+  int rod = 0;
+  double from = 0.0;
+  double to = 0.0;
+  std::optional<double> nearest_mark{};  // from the splice, 0 within it; not set: no mark
+};
+std::vector<Splice> splices(const CutList& list, const Purchase& rods);
 
 }  // namespace tencer::fabricate
