@@ -13,6 +13,9 @@ expect_contains("${err}" "standard input:1: two numbers a line: z is taken as 0"
 expect_contains("${err}" "1 closed rod, 154.8")
 file(READ ${WORK}/piped/design.json design)
 expect_contains("${design}" "25.4")
+if(err MATCHES "this curve is open")
+  message(SEND_ERROR "closed, and said to be open: ${err}")
+endif()
 
 # A scene comes through a pipe as well.
 file(WRITE ${WORK}/scene.toml "[[rod]]\ncurve = \"ring.txt\"\nclosed = true\n")

@@ -148,11 +148,12 @@ TEST_CASE("ends that nearly meet are closed, those that are neighbours are told,
   auto open = read_curve_file(folder.put("c.xyz", text(0)));
   REQUIRE(open);
   CHECK_FALSE(open->curves[0].closed);
-  CHECK_THAT(open->notes.at(0), Catch::Contains("this curve is open, with its ends 2.61 apart") &&
-                                    Catch::Contains("--closed"));
+  CHECK_THAT(open->open_ends.at(0),
+             Catch::Contains("this curve is open, with its ends 2.61 apart") &&
+                 Catch::Contains("--closed"));
   CHECK_FALSE(tencer::io::close_curve(open->curves[0]));
   check_same(open->curves[0], ring);
-  CHECK(read_curve_file(folder.put("c.csv", "0,0,0\n1,0,0\n1,1,0\n0,1,0.5\n"))->notes.empty());
+  CHECK(read_curve_file(folder.put("c.csv", "0,0,0\n1,0,0\n1,1,0\n0,1,0.5\n"))->open_ends.empty());
   Polyline line = polyline(false, {a, b, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}});
   CHECK_THAT(tencer::io::close_curve(line).value_or(""),
              Catch::StartsWith("the ends of the curve are 4 apart, 4 times its longest edge"));

@@ -155,6 +155,7 @@ core::Expected<model::Design> design(const std::filesystem::path& file,
   model::Scene scene = scene_of(curves->curves, file.stem().string(), units);
   scene.source = file.string();
   scene.notes = curves->notes;
+  scene.notes.insert(scene.notes.end(), curves->open_ends.begin(), curves->open_ends.end());
   return design(scene, options);
 }
 

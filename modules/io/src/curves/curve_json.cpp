@@ -34,8 +34,7 @@ Eigen::Vector3d read_point(const JsonValue& value, bool planar) {
   return {two[0].number(), two[1].number(), 0.0};
 }
 
-geometry::Polyline curve_through(const JsonValue& list, std::optional<bool> closed,
-                                 std::vector<std::string>& notes) {
+void add_points(const JsonValue& list, std::optional<bool> closed, CurveFile& result) {
   const std::vector<JsonValue> items = list.items();
   ListedCurve curve;
   for (const JsonValue& item : items)
@@ -44,12 +43,11 @@ geometry::Polyline curve_through(const JsonValue& list, std::optional<bool> clos
   curve.where = list.where();
   curve.where_of = [&](int i) { return items[i].where(); };
   curve.name_of = [](int i) { return "point " + std::to_string(i); };
-  return finish_curve(curve, notes);
+  finish_curve(curve, result);
 }
 
 // {"x": [...], "y": [...], "z": [...]}.
-geometry::Polyline curve_of_columns(const JsonValue& value, std::optional<bool> closed,
-                                    std::vector<std::string>& notes) {
+void add_columns(const JsonValue& value, std::optional<bool> closed, CurveFile& result) {
   const Eigen::VectorXd x = value["x"].numbers();
   const Eigen::VectorXd y = value["y"].numbers();
   const Eigen::VectorXd z = value.has("z") ? value["z"].numbers() : Eigen::VectorXd::Zero(x.size());
@@ -62,7 +60,7 @@ geometry::Polyline curve_of_columns(const JsonValue& value, std::optional<bool> 
   curve.where = value.where();
   curve.where_of = [&](int) { return value.where(); };
   curve.name_of = [](int i) { return "point " + std::to_string(i); };
-  return finish_curve(curve, notes);
+  finish_curve(curve, result);
 }
 
 // A misspelt "closed" must not turn a ring into an open rod.
@@ -72,14 +70,14 @@ void check_keys(const JsonValue& curve) {
       curve.fail("unknown key " + key + "; " + suggestion(key, curve_keys));
 }
 
-geometry::Polyline curve_of_object(const JsonValue& curve, std::vector<std::string>& notes) {
+void add_object(const JsonValue& curve, CurveFile& result) {
   std::optional<bool> closed;
   if (curve.has("closed")) closed = curve["closed"].boolean();
   check_keys(curve);
-  if (has_axes(curve)) return curve_of_columns(curve, closed, notes);
+  if (has_axes(curve)) return add_columns(curve, closed, result);
   for (const std::string_view key : point_keys)
-    if (curve.has(key)) return curve_through(curve[key], closed, notes);
-  return curve_through(curve["points"], closed, notes);
+    if (curve.has(key)) return add_points(curve[key], closed, result);
+  add_points(curve["points"], closed, result);
 }
 
 bool is_point(const nlohmann::json& value) {
@@ -88,17 +86,16 @@ bool is_point(const nlohmann::json& value) {
 }
 
 // An array is a curve of points, or several of these, or of objects.
-void read_array(const JsonValue& list, CurveFile& result) {
-  const std::vector<JsonValue> items = list.items();
-  const auto& raw = list.raw();
-  if (!raw.empty() && raw[0].is_object() && !is_point(raw[0]))
-    for (const JsonValue& item : items)
-      result.curves.push_back(curve_of_object(item, result.notes));
-  else if (!raw.empty() && raw[0].is_array() && !raw[0].empty() && !is_point(raw[0]))
-    for (const JsonValue& item : items)
-      result.curves.push_back(curve_through(item, std::nullopt, result.notes));
-  else
-    result.curves.push_back(curve_through(list, std::nullopt, result.notes));
+void add_array(const JsonValue& list, CurveFile& result) {
+  const nlohmann::json& raw = list.raw();
+  const bool objects = !raw.empty() && raw[0].is_object() && !is_point(raw[0]);
+  const bool arrays = !raw.empty() && raw[0].is_array() && !raw[0].empty() && !is_point(raw[0]);
+  if (!objects && !arrays) return add_points(list, std::nullopt, result);
+  for (const JsonValue& item : list.items())
+    if (item.raw().is_array())
+      add_points(item, std::nullopt, result);
+    else
+      add_object(item, result);
 }
 
 void refuse_foreign(const JsonValue& root) {
@@ -133,7 +130,7 @@ CurveFile parse_curve_json(std::string_view text, const std::string& file) {
   if (is_design(content)) return targets(any_design(root, file));
   CurveFile result;
   if (content.is_array()) {
-    read_array(root, result);
+    add_array(root, result);
     return result;
   }
   if (!content.is_object())
@@ -141,12 +138,13 @@ CurveFile parse_curve_json(std::string_view text, const std::string& file) {
   refuse_foreign(root);
   if (root.has("curves"))
     for (const JsonValue& curve : root["curves"].items())
-      result.curves.push_back(curve.raw().is_array()
-                                  ? curve_through(curve, std::nullopt, result.notes)
-                                  : curve_of_object(curve, result.notes));
+      if (curve.raw().is_array())
+        add_points(curve, std::nullopt, result);
+      else
+        add_object(curve, result);
   else if (has_axes(root) ||
            std::ranges::any_of(point_keys, [&](auto key) { return root.has(key); }))
-    result.curves.push_back(curve_of_object(root, result.notes));
+    add_object(root, result);
   else
     root.fail("the key \"curves\" is missing");
   if (result.curves.empty()) root["curves"].fail("holds no curves");

@@ -239,7 +239,7 @@ void add_chains(const std::vector<Chain>& chains, const Content& content, const 
     curve.where = where;
     curve.where_of = [&](int) { return where; };
     curve.name_of = [&](int i) { return "vertex " + std::to_string(chain.vertices[i] + 1); };
-    result.curves.push_back(finish_curve(curve, result.notes));
+    finish_curve(curve, result);
   }
 }
 
@@ -251,7 +251,7 @@ void add_free_forms(const Content& content, const std::string& file, CurveFile& 
     check_drawn(curve);
     curve.where_of = [&](int) { return curve.where; };
     curve.name_of = [](int i) { return "point " + std::to_string(i) + " along it"; };
-    result.curves.push_back(finish_curve(curve, result.notes));
+    finish_curve(curve, result);
   }
 }
 

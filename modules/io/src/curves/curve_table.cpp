@@ -190,7 +190,7 @@ class TableReader {
   void finish() {
     if (rows_.empty()) return;
     curve_.where = curve_.where_of(0);
-    result_.curves.push_back(finish_curve(curve_, result_.notes));
+    finish_curve(curve_, result_);
     curve_.points.clear();
     rows_.clear();
   }

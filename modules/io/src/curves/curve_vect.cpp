@@ -108,7 +108,7 @@ CurveFile parse_vect(std::string_view text, const std::string& file) {
     curve.where = places.front();
     curve.where_of = [&](int i) { return places[i]; };
     curve.name_of = [](int i) { return "vertex " + std::to_string(i); };
-    result.curves.push_back(finish_curve(curve, result.notes));
+    finish_curve(curve, result);
   }
   return result;
 }

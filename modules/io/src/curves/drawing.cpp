@@ -96,7 +96,7 @@ void add_strokes(const std::vector<Stroke>& strokes, CurveFile& file) {
     curve.name_of = [&](int i) {
       return "(" + to_text(curve.points[i].x()) + ", " + to_text(curve.points[i].y()) + ")";
     };
-    file.curves.push_back(finish_curve(curve, file.notes));
+    finish_curve(curve, file);
   }
 }
 

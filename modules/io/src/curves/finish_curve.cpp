@@ -61,7 +61,7 @@ std::string rounded(double value) {
 
 // Whether a curve whose last point does not repeat its first is closed; what is not told but taken
 // so, or may be meant otherwise, goes to the notes.
-bool closes(const ListedCurve& curve, std::vector<int>& kept, std::vector<std::string>& notes) {
+bool closes(const ListedCurve& curve, std::vector<int>& kept, CurveFile& file) {
   constexpr std::size_t fewest = 8;  // points from which two ends are neighbours by no chance
   if (kept.size() < 4) return curve.closed.value_or(false);
   const Ends ends = ends_of(matrix_of(curve.points, kept));
@@ -71,14 +71,15 @@ bool closes(const ListedCurve& curve, std::vector<int>& kept, std::vector<std::s
              " apart, less than 1 % of an edge; set closed to true, or move them apart");
   if (ends.nearly_meet()) {
     kept.pop_back();
-    notes.push_back(curve.where + ": the ends of this curve are " + rounded(ends.gap) +
-                    " apart: it is taken as closed");
+    file.notes.push_back(curve.where + ": the ends of this curve are " + rounded(ends.gap) +
+                         " apart: it is taken as closed");
     return true;
   }
   if (!curve.closed && kept.size() >= fewest && ends.neighbours())
-    notes.push_back(curve.where + ": this curve is open, with its ends " + rounded(ends.gap) +
-                    " apart, as far as neighbours; to close it say --closed, or closed = true in a "
-                    "scene");
+    file.open_ends.push_back(
+        curve.where + ": this curve is open, with its ends " + rounded(ends.gap) +
+        " apart, as far as neighbours; to close it say --closed, or closed = true in a "
+        "scene");
   return curve.closed.value_or(false);
 }
 
@@ -99,7 +100,7 @@ void check_drawn(const ListedCurve& curve) {
       fail(curve.where, "its numbers are too large, or too different in size, to draw it");
 }
 
-geometry::Polyline finish_curve(const ListedCurve& curve, std::vector<std::string>& notes) {
+void finish_curve(const ListedCurve& curve, CurveFile& file) {
   const auto listed = static_cast<int>(curve.points.size());
   if (listed < 2)
     fail(curve.where, "a curve needs at least 2 points, found " + std::to_string(listed));
@@ -109,10 +110,10 @@ geometry::Polyline finish_curve(const ListedCurve& curve, std::vector<std::strin
   std::vector<int> kept = different(curve.points, negligible);
   if (kept.size() < 2) fail(curve.where, "a curve needs at least 2 different points, found 1");
   if (const auto dropped = listed - static_cast<int>(kept.size()); dropped > 0)
-    notes.push_back(curve.where + ": " + std::to_string(dropped) +
-                    (dropped == 1
-                         ? " point of this curve repeats the one before it and is dropped"
-                         : " points of this curve repeat the one before them and are dropped"));
+    file.notes.push_back(
+        curve.where + ": " + std::to_string(dropped) +
+        (dropped == 1 ? " point of this curve repeats the one before it and is dropped"
+                      : " points of this curve repeat the one before them and are dropped"));
 
   const bool repeats =
       kept.size() > 2 &&
@@ -122,7 +123,7 @@ geometry::Polyline finish_curve(const ListedCurve& curve, std::vector<std::strin
          "closed is false, but the last point repeats the first; set closed to true, or remove the "
          "last point");
   if (repeats) kept.pop_back();
-  const bool closed = repeats || closes(curve, kept, notes);
+  const bool closed = repeats || closes(curve, kept, file);
   if (closed && kept.size() < 3)
     fail(curve.where,
          "a closed curve needs at least 3 different points, found " + std::to_string(kept.size()));
@@ -132,7 +133,7 @@ geometry::Polyline finish_curve(const ListedCurve& curve, std::vector<std::strin
     fail(curve.where_of(kept[bad->from]),
          "the curve turns straight back at " + curve.name_of(kept[bad->from]) +
              ", where no elastic rod can follow; remove this point or move it");
-  return result;
+  file.curves.push_back(std::move(result));
 }
 
 std::optional<std::string> close_curve(geometry::Polyline& curve) {

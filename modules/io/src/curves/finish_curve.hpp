@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <tencer/geometry/polyline.hpp>
+#include <tencer/io/curve.hpp>
 #include <vector>
 
 namespace tencer::io {
@@ -25,9 +26,8 @@ struct ListedCurve {
 // Throws BadInput where points that were computed overflowed.
 void check_drawn(const ListedCurve& curve);
 
-// Throws BadInput for what curve.hpp calls an error; what it says is dropped or closed goes to the
-// notes.
-geometry::Polyline finish_curve(const ListedCurve& curve, std::vector<std::string>& notes);
+// Adds the curve to the file, with its notes. Throws BadInput for what curve.hpp calls an error.
+void finish_curve(const ListedCurve& curve, CurveFile& file);
 
 // An edge that no elastic rod can follow: one of no length, or one that turns straight back along
 // the edge before it.

@@ -65,8 +65,10 @@ bool are_flat(const std::vector<Eigen::Matrix3Xd>& rods) {
 }
 
 bool is_published(const nlohmann::json& content) {
-  return content.is_object() && content.contains("rods") && content.contains("cables") &&
-         !content.contains("schema");
+  if (!content.is_object() || content.contains("schema") || !content.contains("rods")) return false;
+  const nlohmann::json& rods = content["rods"];
+  return rods.is_array() && !rods.empty() && rods[0].is_object() &&
+         rods[0].contains("published_equilibrium");
 }
 
 model::Design design_from_published(const JsonValue& root) {

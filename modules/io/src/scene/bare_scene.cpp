@@ -45,6 +45,8 @@ Scene scene_of(CurveFile file, const std::filesystem::path& path, const SceneOpt
   for (geometry::Polyline& curve : file.curves)
     if (options.close)
       if (const auto problem = close_curve(curve)) fail(shown(path), "to be closed: " + *problem);
+  if (!options.close)
+    file.notes.insert(file.notes.end(), file.open_ends.begin(), file.open_ends.end());
   if (file.length_unit && !options.length_unit)
     file.notes.push_back("the file says that its numbers are " + *file.length_unit);
   if (const auto unit = options.length_unit ? options.length_unit : file.length_unit)

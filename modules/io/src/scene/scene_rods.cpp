@@ -66,6 +66,8 @@ std::vector<Polyline> file_targets(const TomlTable& rod, const Source& source) {
     rod.fail("curve", "there is no file " + file.string());
   CurveFile content = value_or_fail(read_curve_file(file));
   source.notes.insert(source.notes.end(), content.notes.begin(), content.notes.end());
+  if (!rod.has("closed"))
+    source.notes.insert(source.notes.end(), content.open_ends.begin(), content.open_ends.end());
   if (content.length_unit && *content.length_unit != source.units.length)
     source.notes.push_back(file.string() + " says that its numbers are " + *content.length_unit +
                            ", but the scene's length_unit is " + source.units.length +
@@ -86,7 +88,10 @@ std::vector<Polyline> spline_targets(const TomlTable& rod, const Source& source)
   for (const auto& point : points.colwise()) listed.points.emplace_back(point);
   const int vertices =
       rod.integer("vertices", min_vertices, most_vertices).value_or(standard_vertices);
-  return {geometry::sample_spline(finish_curve(listed, source.notes), vertices)};
+  CurveFile through;
+  finish_curve(listed, through);
+  source.notes.insert(source.notes.end(), through.notes.begin(), through.notes.end());
+  return {geometry::sample_spline(through.curves[0], vertices)};
 }
 
 // What the table says of it, where the curves are not so already.

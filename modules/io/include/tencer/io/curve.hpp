@@ -27,6 +27,7 @@ struct CurveFile {
   std::vector<geometry::Polyline> curves{};  // at least one
   std::optional<std::string> length_unit{};  // of curve_units(), when the file names one
   std::vector<std::string> notes{};          // what was taken otherwise than it stands there
+  std::vector<std::string> open_ends{};      // curves that are open, but may be meant to be closed
 };
 
 // A path "-" is the standard input. Errors: "file:line" (text formats) or "file: key" (JSON).
