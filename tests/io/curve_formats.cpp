@@ -40,7 +40,7 @@ void check_circle(const Polyline& curve, const Eigen::Vector3d& center, double r
 
 std::string dxf(const std::string& entities, const std::string& units = "4") {
   return "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n" + units +
-         "\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
+         "\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n\n\n\n";
 }
 
 std::string dxf_line(double x0, double y0, double x1, double y1) {

@@ -133,7 +133,8 @@ class SvgReader {
     const std::string_view style = node.attribute("style").value();
     return node.attribute("display").value() == std::string_view("none") ||
            node.attribute("visibility").value() == std::string_view("hidden") ||
-           style.find("display:none") != std::string_view::npos;
+           style.find("display:none") != std::string_view::npos ||
+           style.find("display: none") != std::string_view::npos;
   }
 
   // "translate(1 2) rotate(30)"

@@ -33,6 +33,7 @@ std::vector<Group> groups(std::string_view text, const std::string& file) {
                                                   quoted(all[i].substr(0, 20)) +
                                                   "; save it as DXF in text (ASCII) form");
     result.push_back({static_cast<int>(*code), trimmed(all[i + 1]), line + 1});
+    if (*code == 0 && result.back().value == "EOF") break;
   }
   return result;
 }

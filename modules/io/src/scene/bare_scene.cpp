@@ -6,6 +6,7 @@
 
 #include "curves/curve_format.hpp"
 #include "design/design_json.hpp"
+#include "design/published_json.hpp"
 #include "scene/parse_scene.hpp"
 #include "scene/vertex_limit.hpp"
 #include "text/bad_input.hpp"
@@ -17,7 +18,14 @@ namespace {
 using model::Scene;
 
 void check_crossings(const Scene& scene) {
-  if (const auto crossing = model::crossing(scene)) fail(scene.source, *crossing);
+  if (const auto crossing = model::crossing(scene))
+    fail(scene.source,
+         *crossing +
+             (are_flat(scene.target.points) ? ", such as in z, which is the same all over" : ""));
+}
+
+std::string words_for(const std::string& unit) {
+  return unit == "in" ? "inches" : unit == "ft" ? "feet" : unit;
 }
 
 // What only bare curves take.
@@ -48,7 +56,7 @@ Scene scene_of(CurveFile file, const std::filesystem::path& path, const SceneOpt
   if (!options.close)
     file.notes.insert(file.notes.end(), file.open_ends.begin(), file.open_ends.end());
   if (file.length_unit && !options.length_unit)
-    file.notes.push_back("the file says that its numbers are " + *file.length_unit);
+    file.notes.push_back("the file says that its numbers are " + words_for(*file.length_unit));
   if (const auto unit = options.length_unit ? options.length_unit : file.length_unit)
     take_unit(file, *unit);
   limit_vertices(file.curves, shown(path), file.notes);
