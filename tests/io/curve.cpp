@@ -317,9 +317,23 @@ TEST_CASE("no text makes a reader throw, whatever it is cut to") {
   const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3 -3\nl -1/2 1\n";
   const std::string csv = "x;y;z\n0;0;0\n1;0;0\n\n1e5 2 3\n,,\n";
   const std::string json = R"({"curves": [{"closed": true, "points": [[0,0,0],[1,0,0],[1,1]]}]})";
+  const std::string nurbs =
+      "v 0 0 0\nv 1 0 0 2\nv 1 1 0\ncstype rat bspline\ndeg 2\ncurv 0 1 1 2 3\nparm u 0 0 0 1 1 "
+      "1\n";
+  const std::string vect = "VECT\n2 5 0\n-3 2\n0 0\n0 0 0 1 0 0 1 1 0\n0 0 1\n1 0 1\n";
+  const std::string svg =
+      "<svg width='9mm' viewBox='0 0 9 9'><g transform='rotate(9) skewX(2)'><circle r='3'/>"
+      "<path d='M0 0C1 0 1 1 2 1A3 2 10 0 1 8 8h1z'/></g></svg>";
+  const std::string dxf =
+      "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n70\n1\n10\n0\n20\n0\n42\n1\n10\n3\n20\n0\n0\nSPLINE"
+      "\n71\n1\n40\n0\n40\n0\n40\n1\n40\n1\n10\n0\n20\n5\n10\n1\n20\n6\n0\nSPLINE\n11\n0\n21\n9\n11"
+      "\n"
+      "1\n21\n9\n11\n2\n21\n8\n0\nARC\n10\n20\n40\n1\n51\n90\n0\nENDSEC\n";
   std::mt19937 random(15);
   for (const auto& [name, text] :
-       {std::pair("c.obj", obj), std::pair("c.csv", csv), std::pair("c.json", json)})
+       {std::pair("c.obj", obj), std::pair("c.csv", csv), std::pair("c.json", json),
+        std::pair("n.obj", nurbs), std::pair("c.vect", vect), std::pair("c.svg", svg),
+        std::pair("c.dxf", dxf)})
     for (int trial = 0; trial < 500; ++trial) {
       const std::size_t cut = random() % (text.size() + 1);
       const auto curves = read_curves(folder.put(name, edited(text, 3, random).substr(0, cut)));

@@ -133,7 +133,8 @@ Stroke through_points(const DxfEntity& entity, const std::vector<Vector3d>& poin
   if (points.size() < 2)
     fail(entity.where, "holds neither control points nor points to go through");
   for (std::size_t i = 1; i < points.size(); ++i)
-    if (points[i] == points[i - 1]) fail(entity.where, "goes through a point twice in a row");
+    if (!((points[i] - points[i - 1]).norm() > 0))
+      fail(entity.where, "goes through a point twice in a row");
   const auto smooth = geometry::sample_spline(
       {matrix(points), false}, vertices_each * static_cast<int>(points.size() - 1) + 1);
   Stroke stroke{.where = entity.where};
