@@ -25,7 +25,7 @@ if(NOT status MATCHES "^[03]$")
   message(SEND_ERROR "exit code ${status}: ${err}")
 endif()
 
-refused("--unit: " "in a scene say" design scene.toml --unit mm)
+refused("scene.toml: " "is for bare curves" design scene.toml --unit mm)
 
 file(WRITE ${WORK}/model.json [=[{"name": "bow", "rods": [{"closed": false, "youngs_modulus": 4e6,
   "radius": 0.1, "rest_lengths": [2, 2, 2, 2],

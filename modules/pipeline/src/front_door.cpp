@@ -137,26 +137,10 @@ core::Expected<model::Design> design(const std::vector<Curve>& curves,
 core::Expected<model::Design> design(const std::filesystem::path& file,
                                      const DesignOptions& options) {
   if (const auto wrong = options.problem()) return core::Error{"DesignOptions", *wrong};
-  const bool is_scene = file.extension() == ".toml";
-  if (is_scene && (options.length_unit || options.force_unit))
-    return core::Error{"DesignOptions", "length_unit, force_unit: the scene " + file.string() +
-                                            " says them; set them for bare curves only"};
-  if (is_scene) {
-    const auto scene = io::read_scene(file, {.material = material_of(options)});
-    return scene ? design(*scene, options) : core::Expected<model::Design>(scene.error());
-  }
-  auto curves = io::read_curve_file(file);
-  if (!curves) return curves.error();
-  DesignOptions units = options;
-  if (curves->length_unit && !options.length_unit) {
-    io::take_unit(*curves, *curves->length_unit);
-    units.length_unit = curves->length_unit;
-  }
-  model::Scene scene = scene_of(curves->curves, file.stem().string(), units);
-  scene.source = file.string();
-  scene.notes = curves->notes;
-  scene.notes.insert(scene.notes.end(), curves->open_ends.begin(), curves->open_ends.end());
-  return design(scene, options);
+  const auto scene = io::read_any_scene(file, {.material = material_of(options),
+                                               .length_unit = options.length_unit,
+                                               .force_unit = options.force_unit});
+  return scene ? design(*scene, options) : core::Expected<model::Design>(scene.error());
 }
 
 core::Expected<model::Scene> read_scene(const std::filesystem::path& file) {

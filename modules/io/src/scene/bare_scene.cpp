@@ -28,15 +28,17 @@ std::string words_for(const std::string& unit) {
   return unit == "in" ? "inches" : unit == "ft" ? "feet" : unit;
 }
 
-// What only bare curves take.
-void refuse_curve_options(const SceneOptions& options, const std::string& instead) {
-  if (options.close) fail("--closed", "is for bare curves; " + instead);
-  if (options.length_unit) fail("--unit", "is for bare curves; " + instead);
+void refuse_curve_options(const std::filesystem::path& path, const SceneOptions& options) {
+  if (options.close || options.length_unit || options.force_unit)
+    fail(
+        shown(path),
+        "says itself which curves are closed and in which units it is; what is said of that beside "
+        "the file (closed, unit) is for bare curves");
 }
 
 Scene scene_of_design(const nlohmann::json& content, const std::filesystem::path& path,
                       const SceneOptions& options) {
-  refuse_curve_options(options, "a design says itself");
+  refuse_curve_options(path, options);
   Scene scene =
       model::scene_of(any_design(JsonValue(content, shown(path)), path), options.material);
   scene.source = shown(path);
@@ -62,7 +64,7 @@ Scene scene_of(CurveFile file, const std::filesystem::path& path, const SceneOpt
   limit_vertices(file.curves, shown(path), file.notes);
   Scene scene =
       model::scene_of(file.curves, stem(path), file.length_unit.value_or(Scene().length_unit),
-                      Scene().force_unit, options.material);
+                      options.force_unit.value_or(Scene().force_unit), options.material);
   scene.source = shown(path);
   scene.notes = std::move(file.notes);
   check_crossings(scene);
@@ -81,7 +83,7 @@ core::Expected<Scene> read_any_scene(const std::filesystem::path& path,
   return guarded([&] {
     const std::string text = read_text(path);
     if (is_scene(path, text)) {
-      refuse_curve_options(options, "in a scene say closed = true of the rod, or length_unit");
+      refuse_curve_options(path, options);
       return parse_scene(text, path, options);
     }
     if (format_of(path, text, shown(path)) == CurveFormat::json) {

@@ -18,6 +18,7 @@ struct SceneOptions {
   bool close = false;  // curves of bare files (close_curve)
   // Of the numbers of bare files, one of curve_units(), whatever they say themselves.
   std::optional<std::string> length_unit{};
+  std::optional<std::string> force_unit{};  // of bare files, N by default
 };
 
 // Reads a TOML scene and the curve files it names (relative to its folder). All indices, ranges and
