@@ -6,7 +6,7 @@
 #include <memory>
 #include <tencer/core/words.hpp>
 #include <tencer/fabricate/names.hpp>
-#include <tencer/io/design.hpp>
+#include <tencer/io/check.hpp>
 #include <tencer/model/units.hpp>
 
 #include "command.hpp"
@@ -31,13 +31,11 @@ struct FabricateRequest {
 };
 
 core::Expected<ExitCode> run_fabricate(const FabricateRequest& request) {
-  const auto design = io::read_design(request.input);
-  if (!design) return design.error();
-  const auto check = io::read_check(request.input);
-  if (!check) return check.error();
+  const auto read = io::read_checked_design(request.input);
+  if (!read) return read.error();
   SheetOptions options = request.options;
   options.paper = request.paper == "letter" ? letter : a4;
-  const auto sheet = make_sheet(*design, *check, options);
+  const auto sheet = make_sheet(*read, options);
   if (!sheet) return core::Error{request.input.string(), sheet.error().text()};
   const std::filesystem::path folder =
       request.output.empty() ? request.input.parent_path() / "sheet" : request.output;
@@ -93,7 +91,8 @@ void add_fabricate(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<FabricateRequest>();
   fabricate::Allowances& allowances = request->options.allowances;
   Offers& offers = request->options.offers;
-  command->add_option("DESIGN", request->input, "Design file (design.json)")->required();
+  command->add_option("DESIGN", request->input, "Design (design.json), or a published model")
+      ->required();
   command->add_option("-o,--output", request->output,
                       "Folder for the sheet [sheet, beside the design]");
   command->add_option("--paper", request->paper, "Of the printer")

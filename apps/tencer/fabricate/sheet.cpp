@@ -34,12 +34,11 @@ Contents draw(const Sheet& sheet, const Contents& known, std::string* pdf) {
 
 }  // namespace
 
-core::Expected<Sheet> make_sheet(const model::Design& design,
-                                 const std::optional<io::FiledCheck>& check,
-                                 const SheetOptions& options) {
+core::Expected<Sheet> make_sheet(const io::CheckedDesign& read, const SheetOptions& options) {
+  const model::Design& design = read.design;
   Sheet sheet{.title = title_of(design),
               .design = design,
-              .check = check,
+              .check = read.check,
               .paper = options.paper,
               .list = fabricate::cut_list(design, options.allowances),
               .offers = options.offers,

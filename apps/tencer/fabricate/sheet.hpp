@@ -42,9 +42,7 @@ struct Sheet {
 };
 
 // Errors: options that the design cannot be cut with.
-core::Expected<Sheet> make_sheet(const model::Design& design,
-                                 const std::optional<io::FiledCheck>& check,
-                                 const SheetOptions& options);
+core::Expected<Sheet> make_sheet(const io::CheckedDesign& read, const SheetOptions& options);
 
 // What of a check nobody did, "holds" and so on; all of it when there is none.
 std::vector<std::string> not_looked_at(const Sheet& sheet);

@@ -1,10 +1,10 @@
 #include <tencer/io/check.hpp>
-#include <tencer/io/file.hpp>
 
 #include "design/design_json.hpp"
 #include "design/json_value.hpp"
 #include "design/pretty_json.hpp"
 #include "text/bad_input.hpp"
+#include "text/read_text.hpp"
 
 namespace tencer::io {
 namespace {
@@ -169,12 +169,13 @@ std::string check_text(const Design& design, const Check& check) {
 
 Json check_to_json(const Check& check, const Design& design) { return to_json(check, design); }
 
-core::Expected<std::optional<FiledCheck>> read_check(const std::filesystem::path& path) {
-  return guarded([&]() -> std::optional<FiledCheck> {
-    const nlohmann::json content = JsonValue::parse(value_or_fail(read_file(path)), path.string());
-    const JsonValue root(content, path.string());
-    if (!root.has("check")) return std::nullopt;
-    return filed_check(root["check"]);
+core::Expected<CheckedDesign> read_checked_design(const std::filesystem::path& path) {
+  return guarded([&] {
+    const nlohmann::json content = JsonValue::parse(read_text(path), shown(path));
+    const JsonValue root(content, shown(path));
+    CheckedDesign read{.design = any_design(root, path)};
+    if (root.has("check")) read.check = filed_check(root["check"]);
+    return read;
   });
 }
 

@@ -29,7 +29,13 @@ struct FiledCheck {
   std::optional<Tolerance> tolerance{};   // in the design's unit of length
 };
 
-// Not set: the file's design was not checked. Errors: as read_design's.
-core::Expected<std::optional<FiledCheck>> read_check(const std::filesystem::path& path);
+// A design and what its file tells of its check; not set: nobody checked it.
+struct CheckedDesign {
+  model::Design design{};
+  std::optional<FiledCheck> check{};
+};
+
+// Reads the file once. Errors: as read_design's.
+core::Expected<CheckedDesign> read_checked_design(const std::filesystem::path& path);
 
 }  // namespace tencer::io
