@@ -87,13 +87,14 @@ Piece line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
 }
 
 Piece bezier(std::vector<Eigen::Vector3d> control) {
+  const bool straight = control.size() == 2;
   return {[control = std::move(control)](double t) -> Eigen::Vector3d {
             std::vector<Eigen::Vector3d> d = control;
             for (std::size_t left = d.size() - 1; left > 0; --left)
               for (std::size_t i = 0; i < left; ++i) d[i] = (1 - t) * d[i] + t * d[i + 1];
             return d[0];
           },
-          control.size() == 2};
+          straight};
 }
 
 Piece arc(const Eigen::Vector3d& center, const Eigen::Vector3d& x, const Eigen::Vector3d& y,
