@@ -15,6 +15,7 @@
 
 #include "command.hpp"
 #include "design_files.hpp"
+#include "edit_input.hpp"
 #include "interrupt.hpp"
 #include "scene_input.hpp"
 
@@ -30,6 +31,9 @@ constexpr const char* examples = R"(Examples:
   tencer design curve.obj --trade-off        how close with how many cables: all of them, in a table
   tencer design curve.obj --symmetry detect --objective rms
   tencer design curve.obj --method dense-springs --optimizer mma
+  tencer design curve.obj --time 2           the best design that two seconds of search find
+  tencer design curve.obj --from result/design.json --remove 1
+                                             that design with a cable less, in no time
   tencer design scene.toml --explain         first what this scene needs, and what is left out
 
 INPUT is a scene (.toml, see docs/scene.md), a curve (.obj, .csv, .json, .svg, .dxf and others, see
@@ -48,6 +52,9 @@ struct DesignRequest {
   std::optional<model::Measure> objective;
   std::optional<model::SymmetryUse> symmetry;
   std::optional<int> threads;
+  std::optional<double> time;
+  std::optional<int> effort;
+  EditRequest edit;
   std::optional<double> length_error_mm;
   std::optional<double> attachment_error_mm;
   std::optional<model::Allowance> max_deviation;
@@ -102,6 +109,8 @@ std::optional<core::Error> apply(const DesignRequest& request, model::DesignSett
   if (request.objective) settings.objective = *request.objective;
   if (request.symmetry) settings.symmetry = *request.symmetry;
   if (request.threads) settings.threads = *request.threads;
+  if (request.time) settings.time = *request.time;
+  if (request.effort) settings.effort = *request.effort;
   if (request.symmetry == model::SymmetryUse::detect &&
       settings.method != model::Method::force_balance)
     return core::Error{"--symmetry",
@@ -168,6 +177,8 @@ core::Expected<ExitCode> run_design(const DesignRequest& request, const core::Lo
   if (!scene) return scene.error();
   if (const auto error = apply(request, scene->design)) return *error;
   apply_errors(request, *scene);
+  if (const auto error = apply(request.edit, request.scene.cables.has_value(), *scene))
+    return *error;
   const std::filesystem::path folder =
       request.output.empty()
           ? std::filesystem::path(
@@ -237,6 +248,16 @@ void add_design(CLI::App& app, Command& chosen) {
                    "How many threads share the work; the design is the same [the scene's, else as "
                    "many as the machine has]")
       ->check(positive_integer());
+  command
+      ->add_option("--time", request->time,
+                   "Seconds after which the search ends with the best so far; the last checks "
+                   "follow [the scene's, else until it stops to pay]")
+      ->check(positive_number());
+  command
+      ->add_option("--effort", request->effort,
+                   "Of the search: 1 quick, 2, 3 thorough [the scene's, else 2]")
+      ->check(CLI::Range(1, 3));
+  add_edit(*command, request->edit);
   command
       ->add_option("--length-error", request->length_error_mm,
                    "To how many mm cables are cut: the design forgives it [the scene's, else 1]")

@@ -67,6 +67,9 @@ void StartOptions::validate() const {
   require(min_error_percent > 0 && max_error_percent >= min_error_percent,
           "StartOptions: needs 0 < min_error_percent <= max_error_percent");
   require(min_beam_cables > 0, "StartOptions::min_beam_cables must be positive");
+  require(max_seed_order >= 0, "StartOptions::max_seed_order must not be negative");
+  require(nearly_symmetric > 0 && nearly_symmetric < 0.05,
+          "StartOptions::nearly_symmetric must be in (0, 0.05)");
 }
 
 void ProlongOptions::validate() const {

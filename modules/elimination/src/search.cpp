@@ -2,16 +2,17 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <tencer/elimination/revise.hpp>
 #include <tencer/elimination/search.hpp>
-#include <tencer/ground_structure/beam_search.hpp>
-#include <tencer/ground_structure/force_balance.hpp>
-#include <tencer/ground_structure/neighbours.hpp>
-#include <tencer/network/parallel.hpp>
+#include <tencer/equilibrium/solve.hpp>
 #include <utility>
 
+#include "moves/replacement.hpp"
+#include "multilevel/canonical.hpp"
 #include "multilevel/coarsen.hpp"
 #include "multilevel/transfer.hpp"
 #include "multistart/block_elimination.hpp"
+#include "multistart/starts.hpp"
 #include "state/standing.hpp"
 
 namespace tencer::elimination {
@@ -21,110 +22,33 @@ using ground_structure::Problem;
 using network::Network;
 using network::StageResult;
 
-// One row tells of several stages that ran side by side, `seconds` long; `told` has its figures.
-model::StageRow together(const StageResult& told, std::span<const StageResult> all,
-                         double seconds) {
-  model::StageRow row = told.trace.back();
-  row.seconds = seconds;
-  row.solves = row.iterations = 0;
-  for (const StageResult& one : all)
-    for (const model::StageRow& own : one.trace) {
-      row.solves += own.solves;
-      row.iterations += own.iterations;
-    }
-  return row;
-}
-
-double balance_percent(const EliminationOptions& options, double part) {
-  const StartOptions& start = options.start;
-  return part * std::clamp(options.goal.max_error_percent, start.min_error_percent,
-                           start.max_error_percent);
-}
-
-// Networks that balance the forces to parts of the error that is accepted. The first row and
-// network of `result` are of the first that is valid; failing all, of the first.
-std::vector<Start> balanced_starts(const Problem& problem, const EliminationOptions& options,
-                                   const network::Control& control, StageResult& result) {
-  const auto& balances = options.start.balances;
-  std::vector<StageResult> outcomes(balances.size());
-  const network::StageRecorder recorder("balance", control);
-  network::in_parallel(static_cast<int>(outcomes.size()), options.threads, [&](int i) {
-    outcomes[i] =
-        force_balance(problem, problem.group(),
-                      {.max_error_percent = balance_percent(options, balances[i].part)}, control);
-  });
-  auto told = std::ranges::find_if(outcomes, &StageResult::valid);
-  if (told == outcomes.end()) told = outcomes.begin();
-  result.network = told->network;
-  result.interrupted = told->interrupted;
-  result.trace.push_back(together(*told, outcomes, recorder.seconds()));
-  std::vector<Start> starts;
-  for (std::size_t i = 0; i < outcomes.size(); ++i)
-    if (outcomes[i].valid())
-      starts.push_back({.network = std::move(outcomes[i].network),
-                        .descents = balances[i].descents,
-                        .symmetry = problem.group()});
-  return starts;
-}
-
-// Networks of few orbits of a group; when its few orbits do not hold, one that balances the forces.
-std::vector<Start> symmetric_starts(const Problem& problem, const symmetry::Group& group,
-                                    int max_cables, const EliminationOptions& options,
-                                    const network::Control& control, network::SolveCounts& counts) {
-  std::vector<Start> starts;
-  for (Network& network : beam_search(problem, group, {.max_cables = max_cables}, control, counts))
-    starts.push_back({.network = std::move(network), .descents = 1, .symmetry = &group});
-  if (!starts.empty()) return starts;
-  const double part = options.start.balances.front().part;
-  StageResult outcome = force_balance(
-      problem, &group, {.max_error_percent = balance_percent(options, part)}, control);
-  for (const model::StageRow& row : outcome.trace)
-    counts += {.solves = row.solves, .iterations = row.iterations};
-  if (outcome.valid())
-    starts.push_back({.network = std::move(outcome.network), .descents = 2, .symmetry = &group});
-  return starts;
-}
-
-// The same for every group, side by side.
-std::vector<Start> symmetric_starts(const Problem& problem,
-                                    std::span<const symmetry::Group* const> groups, int max_cables,
-                                    const EliminationOptions& options,
-                                    const network::Control& control, network::SolveCounts& counts) {
-  std::vector<std::vector<Start>> starts(groups.size());
-  std::vector<network::SolveCounts> own(groups.size());
-  network::in_parallel(static_cast<int>(groups.size()), options.threads, [&](int i) {
-    starts[i] = symmetric_starts(problem, *groups[i], max_cables, options, control, own[i]);
-  });
-  std::vector<Start> all;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    counts += own[i];
-    std::ranges::move(starts[i], std::back_inserter(all));
-  }
-  return all;
-}
-
-// The problem without cables between rods that are no neighbours, unless the rules say which rods
-// to join.
-Problem among_neighbours_only(Problem problem) {
-  if (!problem.rules.pairs)
-    problem.candidates =
-        ground_structure::among_neighbours(problem.candidates, problem.target.points);
-  return problem;
-}
-
 struct Found {
   ParetoArchive archive{};
-  // What the networks were required to keep.
-  double min_eigenvalue = 0.0;
-  int max_floating = 1;
-  Workmanship workmanship{};
-  double standing_deviation = 0.0;
+  std::optional<Requirements> requirements{};  // that the networks kept; none: nothing was tried
 };
 
+// The archive's best network, and a row for what was done since the last.
+void record(const ParetoArchive& archive, Multistart& multistart, const Problem& problem,
+            network::StageRecorder& recorder, StageResult& result) {
+  if (const Solution* best = archive.best_for(multistart.options().goal))
+    result.network = best->network;
+  recorder.add(multistart.take_counts());
+  result.trace.push_back(recorder.row(result.network, problem.target));
+}
+
+// Where errors move even the many cables of a balance further than is asked, so they do fewer.
+Requirements requirements_from(const Network& start, const Problem& problem,
+                               const EliminationOptions& options) {
+  Requirements requirements =
+      requirements_for(start, problem.target, problem.rules, problem.group(), options);
+  if (error_deviation(start, options.workmanship) > options.workmanship.max_deviation)
+    requirements.standing_deviation = requirements.workmanship.max_deviation;
+  return requirements;
+}
+
 // All of the search on rods of one resolution; its rows and its best network go to `result`.
-Found search_on(const Problem& problem, std::span<const symmetry::Group> seeds,
-                const EliminationOptions& options, const network::Control& control,
-                StageResult& result) {
+Found search_on(const Problem& problem, const EliminationOptions& options,
+                const network::Control& control, StageResult& result) {
   // Eliminations of the whole take long and end early when there are many rods.
   const bool whole_only = problem.symmetry || options.goal.every_number;
   const int rods = whole_only ? 1 : static_cast<int>(problem.structure.rods.size());
@@ -134,27 +58,21 @@ Found search_on(const Problem& problem, std::span<const symmetry::Group> seeds,
     near = balanced_starts(among_neighbours_only(problem), options, control, result);
   std::vector<Start> full = near;
   if (!many || near.empty()) full = balanced_starts(problem, options, control, result);
-  if (full.empty() || result.interrupted) return {};
+  if (full.empty()) return {};
 
   network::StageRecorder recorder("eliminate", control);
-  Requirements requirements = requirements_for(full.front().network, problem.target, problem.rules,
-                                               problem.group(), options);
-  // Where errors move even the many cables of a balance further than is asked, so they do fewer.
-  if (error_deviation(full.front().network, options.workmanship) >
-      options.workmanship.max_deviation)
-    requirements.standing_deviation = requirements.workmanship.max_deviation;
-  Multistart multistart(requirements, problem.candidates, options, control, recorder);
+  Found found{.requirements = requirements_from(full.front().network, problem, options)};
+  Multistart multistart(*found.requirements, problem.candidates, options, control, recorder);
   for (Start& start : near)
     start = {.network = eliminate_in_blocks(multistart, start.network), .descents = 2};
   if (many)
     for (Start& start : full) start.descents = 1;
   std::vector<Start> few;
+  const std::vector<symmetry::Group> seeds = symmetry_seeds(problem, options.start);
   if (!many) {
     std::vector<const symmetry::Group*> groups;
-    if (problem.symmetry)
-      groups.push_back(problem.group());
-    else
-      for (const auto& seed : seeds) groups.push_back(&seed);
+    if (problem.symmetry) groups.push_back(problem.group());
+    for (const auto& seed : seeds) groups.push_back(&seed);
     const int max_cables = std::max(
         {options.start.min_beam_cables, options.goal.cables, cable_count(result.network) / 2});
     network::SolveCounts counts;
@@ -163,32 +81,96 @@ Found search_on(const Problem& problem, std::span<const symmetry::Group> seeds,
   }
   std::ranges::move(near, std::back_inserter(few));
 
-  Found found{.min_eigenvalue = requirements.min_eigenvalue,
-              .max_floating = requirements.max_floating,
-              .workmanship = requirements.workmanship,
-              .standing_deviation = requirements.standing_deviation};
   ParetoArchive archives[] = {multistart.eliminate_from(full), multistart.eliminate_from(few)};
-  const auto record = [&] {
+  const auto record_both = [&] {
     for (const ParetoArchive& archive : archives) found.archive.add(archive);
-    if (const Solution* best = found.archive.best_for(options.goal)) result.network = best->network;
-    recorder.add(multistart.take_counts());
-    result.trace.push_back(recorder.row(result.network, problem.target));
+    record(found.archive, multistart, problem, recorder, result);
   };
-  record();
-  multistart.iterated_local_search(archives, many ? 1 : options.local_search.patience, record);
+  record_both();
+  multistart.iterated_local_search(archives, many ? 1 : options.local_search.patience, record_both);
   return found;
+}
+
+// The network where it comes to rest, or as it is when it does not.
+Network at_rest(Network network, const network::Control& control) {
+  auto solved = equilibrium::solve(equilibrium::System(network.structure), network.state,
+                                   {.stop = control.stop});
+  if (solved.usable()) network.state = std::move(solved.state);
+  return network;
+}
+
+// The revision's network, at rest, without the cables that go; some may be new in it.
+Network replaced(const Revision& revision, const Problem& problem, Network network,
+                 const Multistart& multistart) {
+  if (revision.going == 0) return network;
+  const EliminationOptions& options = multistart.options();
+  FittedNetwork at =
+      multistart.fitted(network, multistart.requirements(),
+                        {.norm = {.unit = multistart.aim_percent() / 100 * multistart.diagonal()},
+                         .stability_weight = options.portfolio.front().stability_weight});
+  if (at.usable() && replace(at, revision.kept, revision.going, problem.candidates,
+                             options.local_search, options.removal))
+    return at.network();
+  auto& cables = network.structure.cables;
+  const auto first = cables.begin() + revision.kept;
+  cables.erase(first, first + revision.going);
+  return network;
+}
+
+// From a network of the problem's own rods: fitted, thinned, and varied for a while.
+Found revise_on(const Revision& revision, const Problem& problem, const EliminationOptions& options,
+                const network::Control& control, StageResult& result) {
+  constexpr int descents = 2;
+  constexpr double roomier = 2;  // few cables move more by errors than those of a balance
+  network::StageRecorder recorder("revise", control);
+  Start start{.network = at_rest(revision.network, control), .descents = descents};
+  Found found{.requirements = requirements_from(start.network, problem, options)};
+  found.requirements->fixed_cables = revision.kept;
+  found.requirements->workmanship.max_deviation *= roomier;
+  Multistart multistart(*found.requirements, problem.candidates, options, control, recorder);
+  start.network = replaced(revision, problem, std::move(start.network), multistart);
+  found.archive = multistart.eliminate_from({&start, 1});
+  const auto record_it = [&] { record(found.archive, multistart, problem, recorder, result); };
+  record_it();
+  const Solution* best = found.archive.best_for(options.goal);
+  const bool met = best && options.goal.met(best->score());
+  multistart.iterated_local_search({&found.archive, 1}, met ? 1 : options.local_search.patience,
+                                   record_it);
+  return found;
+}
+
+Found find(const Revision* revision, const Problem& problem, const EliminationOptions& options,
+           const network::Control& control, StageResult& result) {
+  return revision ? revise_on(*revision, problem, options, control, result)
+                  : search_on(problem, options, control, result);
+}
+
+// The best of the networks found on fewer vertices that stands on the rods as they are, when there
+// is no time for more.
+void prolong_best(const ParetoArchive& coarse, const model::Structure& bare, Multistart& multistart,
+                  ParetoArchive& archive) {
+  const model::Goal& goal = multistart.options().goal;
+  const Solution* best = coarse.best_for(goal);
+  if (!best) return;
+  multistart.add_fitted(transferred(best->network, bare), archive, Fit::always);
+  // Those of more cables hold more firmly.
+  const std::vector<Solution> solutions = coarse.best();
+  for (auto next = solutions.begin(); next != solutions.end() && !archive.best_for(goal); ++next)
+    if (next->cables() > best->cables())
+      multistart.add_fitted(transferred(next->network, bare), archive, Fit::always);
 }
 
 // Networks found on fewer vertices brought to the rods as they are, until one answers the goal, and
 // a few more.
-void prolong(const std::vector<Solution>& coarse, const model::Structure& bare,
-             Multistart& multistart, ParetoArchive& archive) {
+void prolong(const ParetoArchive& coarse, const model::Structure& bare, Multistart& multistart,
+             ParetoArchive& archive) {
   const EliminationOptions& options = multistart.options();
   const model::Goal& goal = options.goal;
   model::Goal loose = goal;
   loose.max_error_percent *= options.prolong.fits_closer;
+  const std::vector<Solution> solutions = coarse.best();
   std::vector<const Solution*> order;
-  for (const Solution& solution : coarse)
+  for (const Solution& solution : solutions)
     if (goal.every_number || loose.met(solution.score())) order.push_back(&solution);
   if (goal.by_number()) std::ranges::reverse(order);
   int spare = 0;
@@ -207,63 +189,119 @@ int vertices_of(const model::Structure& structure) {
   return vertices;
 }
 
+// The same of other rods.
+Requirements carried_over(const Requirements& requirements, const Problem& problem) {
+  return {.target = problem.target,
+          .rules = problem.rules,
+          .symmetry = problem.group(),
+          .min_eigenvalue = requirements.min_eigenvalue,
+          .max_floating = requirements.max_floating,
+          .fixed_cables = requirements.fixed_cables,
+          .workmanship = requirements.workmanship,
+          .standing_deviation = requirements.standing_deviation};
+}
+
 // The search on fewer vertices, and what it found brought back to all; an empty archive when
 // nothing came of it.
-ParetoArchive search_coarse(const Problem& problem, const Problem& coarse,
-                            std::span<const symmetry::Group> seeds,
-                            const EliminationOptions& options, const network::Control& control,
-                            StageResult& result) {
-  std::vector<symmetry::Group> coarse_seeds;
-  for (const auto& seed : seeds)
-    coarse_seeds.push_back(transferred(seed, problem.structure.rods, coarse.structure.rods));
-  EliminationOptions own_fit = options;
-  own_fit.fit.optimizer.reset();
-  const Found found = search_on(coarse, coarse_seeds, own_fit, control, result);
-  for (auto& row : result.trace)
-    row.note += (row.note.empty() ? "" : "; ") + std::string("on ") +
-                std::to_string(vertices_of(coarse.structure)) + " vertices";
+ParetoArchive find_coarse(const Revision* revision, const Problem& problem, const Problem& coarse,
+                          const EliminationOptions& options, const network::Control& control,
+                          StageResult& result) {
+  EliminationOptions coarse_options = options;
+  coarse_options.fit.optimizer.reset();
+  coarse_options.workmanship = rounded(options.workmanship);
+  std::optional<Revision> coarse_revision;
+  if (revision)
+    coarse_revision = {transferred(revision->network, coarse.structure), revision->kept,
+                       revision->going};
+  const Found found =
+      find(revision ? &*coarse_revision : nullptr, coarse, coarse_options, control, result);
+  const int vertices = vertices_of(coarse.structure);
+  if (vertices < vertices_of(problem.structure))
+    for (auto& row : result.trace)
+      row.note += (row.note.empty() ? "" : "; ") + std::string("on ") + std::to_string(vertices) +
+                  " vertices";
+  if (!found.requirements) return {};
   network::StageRecorder recorder("fit", control);
-  const Requirements requirements{.target = problem.target,
-                                  .rules = problem.rules,
-                                  .symmetry = problem.group(),
-                                  .min_eigenvalue = found.min_eigenvalue,
-                                  .max_floating = found.max_floating,
-                                  .workmanship = found.workmanship,
-                                  .standing_deviation = found.standing_deviation};
+  const Requirements requirements = carried_over(*found.requirements, problem);
   Multistart multistart(requirements, problem.candidates, options, control, recorder);
   ParetoArchive archive;
-  prolong(found.archive.best(), problem.structure, multistart, archive);
-  const auto record = [&] {
-    result.network = archive.best_for(options.goal)->network;
-    recorder.add(multistart.take_counts());
-    result.trace.push_back(recorder.row(result.network, problem.target));
-  };
+  if (recorder.stopped())
+    prolong_best(found.archive, problem.structure, multistart, archive);
+  else
+    prolong(found.archive, problem.structure, multistart, archive);
+  const auto record_it = [&] { record(archive, multistart, problem, recorder, result); };
   if (const Solution* best = archive.best_for(options.goal)) {
-    record();
+    record_it();
     // What was lost on the way may be found again.
     const Solution* before = found.archive.best_for(options.goal);
     if (!best->standing.stands() ||
         (before && options.goal.improves(before->score(), best->score())))
-      multistart.iterated_local_search({&archive, 1}, 1, record);
+      multistart.iterated_local_search({&archive, 1}, 1, record_it);
   }
   return archive;
 }
 
-}  // namespace
+// The box about a target that was turned has another diagonal: `percent` of it are 1 % of the one
+// that was given.
+network::Control with_percent(const network::Control& control, double percent) {
+  network::Control turned = control;
+  turned.progress = network::ProgressSink([&control, percent](network::Progress at) {
+    at.max_percent /= percent;
+    control.progress(at);
+  });
+  return turned;
+}
 
-EliminationResult search(const Problem& problem, std::span<const symmetry::Group> symmetry_seeds,
-                         const EliminationOptions& options, const network::Control& control) {
+EliminationResult found_for(const Problem& given, const Revision* revision,
+                            EliminationOptions options, const network::Control& given_control) {
   options.validate();
-  validate(problem.rules, problem.structure);
-  StageResult result{.network = problem.bare()};
+  validate(given.rules, given.structure);
+  const Canonical canonical(given);
+  const Problem& problem = canonical.problem();
+  const double percent = model::diagonal(given.target) / model::diagonal(problem.target);
+  options.goal.max_error_percent = rounded(percent * options.goal.max_error_percent);
+  const network::Control control = with_percent(given_control, percent);
+  std::optional<Revision> own;
+  if (revision) {
+    own = {canonical.counted(transferred(revision->network, given.structure)), revision->kept,
+           revision->going};
+    revision = &*own;
+  }
+  StageResult result{.network = revision ? revision->network : problem.bare()};
   ParetoArchive archive;
   if (const auto coarse = coarsened(problem, options.coarse))
-    archive = search_coarse(problem, *coarse, symmetry_seeds, options, control, result);
-  if (!archive.best_for(options.goal))
-    archive = search_on(problem, symmetry_seeds, options, control, result).archive;
+    archive = find_coarse(revision, problem, *coarse, options, control, result);
+  if (!archive.best_for(options.goal)) {
+    // What is on fewer vertices is of no use.
+    result.network = revision ? revision->network : problem.bare();
+    archive = find(revision, problem, options, control, result).archive;
+  }
   network::StageRecorder recorder("eliminate", control);
   recorder.finish(result, problem.target);
-  return {.stage = std::move(result), .solutions = archive.best()};
+  result.network = canonical.restored(result.network, given.structure);
+  std::vector<Solution> solutions = archive.best();
+  for (Solution& solution : solutions) {
+    solution.network = canonical.restored(solution.network, given.structure);
+    solution.max_percent /= percent;
+    solution.rms_percent /= percent;
+  }
+  for (auto& row : result.trace) {
+    row.max_percent /= percent;
+    row.rms_percent /= percent;
+  }
+  return {.stage = std::move(result), .solutions = std::move(solutions)};
+}
+
+}  // namespace
+
+EliminationResult search(const Problem& problem, const EliminationOptions& options,
+                         const network::Control& control) {
+  return found_for(problem, nullptr, options, control);
+}
+
+EliminationResult revise(const Revision& revision, const Problem& problem,
+                         const EliminationOptions& options, const network::Control& control) {
+  return found_for(problem, &revision, options, control);
 }
 
 }  // namespace tencer::elimination

@@ -108,6 +108,7 @@ class Collector {
 
   // An error when there are none by the other rules.
   core::Expected<std::vector<springs::Cable>> take() {
+    leave_out_unwanted();
     if (!cables_.empty()) {
       keep_clear();
       return std::move(cables_);
@@ -120,6 +121,14 @@ class Collector {
   }
 
  private:
+  void leave_out_unwanted() {
+    if (rules_.unwanted.empty()) return;
+    const auto along = model::arc_lengths(structure_);
+    std::erase_if(cables_, [&](const springs::Cable& cable) {
+      return model::is_unwanted(rules_, along, cable);
+    });
+  }
+
   // Leaves out the cables that rods are in the way of.
   void keep_clear() {
     if (!rules_.gaps) return;

@@ -14,9 +14,11 @@
 #include <tencer/sensitivity/distance.hpp>
 #include <utility>
 
+#include "edit.hpp"
 #include "methods.hpp"
 #include "record.hpp"
 #include "target_warnings.hpp"
+#include "time_limit.hpp"
 
 namespace tencer::pipeline {
 namespace {
@@ -206,6 +208,26 @@ Design first_answer(const Task& task, const Outcome& outcome, const RunOptions& 
   return best;
 }
 
+model::Scene ready_to_design(const model::Scene& scene) {
+  model::Scene ready = model::with_enough_vertices(scene);
+  if (ready.edit) apply_edit(ready);
+  return ready;
+}
+
+// Networks that a stop left without a solution are solved for.
+Outcome run_in_time(const Task& task, bool every_number, const RunOptions& options) {
+  const TimeLimit limit(task.scene.design.time, options.stop);
+  RunOptions timed = options;
+  timed.stop = limit.token();
+  Outcome outcome = run_method(task, every_number, timed);
+  if (outcome.interrupted) {
+    for (Network& network : outcome.networks) network = solved(std::move(network));
+    if (!options.stop.stop_requested())
+      say(options, core::Level::info, "the time is up: the last checks follow");
+  }
+  return outcome;
+}
+
 }  // namespace
 
 model::Goal goal_of(const model::DesignSettings& settings) {
@@ -231,12 +253,13 @@ const Design& best_for(const model::Goal& goal, std::span<const Design> designs)
 }
 
 core::Expected<Design> design(const model::Scene& scene, const RunOptions& options) {
-  const model::Scene enough = model::with_enough_vertices(scene);
-  const auto task = begin(enough, options);
+  if (const auto error = check_edit(scene)) return *error;
+  const model::Scene ready = ready_to_design(scene);
+  const auto task = begin(ready, options);
   if (!task) return task.error();
-  const Outcome outcome = run_method(*task, false, options);
-  if (!outcome.interrupted) return first_answer(*task, outcome, options);
-  Design best = recorded(*task, solved(outcome.networks[outcome.asked]));
+  const Outcome outcome = run_in_time(*task, false, options);
+  if (!options.stop.stop_requested()) return first_answer(*task, outcome, options);
+  Design best = recorded(*task, outcome.networks[outcome.asked]);
   best.trace = outcome.trace;
   best.status = model::DesignStatus::interrupted;
   return best;
@@ -244,15 +267,16 @@ core::Expected<Design> design(const model::Scene& scene, const RunOptions& optio
 
 core::Expected<std::vector<Design>> trade_off(const model::Scene& scene,
                                               const RunOptions& options) {
-  const model::Scene enough = model::with_enough_vertices(scene);
-  const auto task = begin(enough, options);
+  if (const auto error = check_edit(scene)) return *error;
+  const model::Scene ready = ready_to_design(scene);
+  const auto task = begin(ready, options);
   if (!task) return task.error();
-  const Outcome outcome = run_method(*task, true, options);
+  const Outcome outcome = run_in_time(*task, true, options);
   std::vector<Design> designs;
   for (const Network& network : outcome.networks) {
     Design next = certified(*task, network, options);
     next.trace.insert(next.trace.begin(), outcome.trace.begin(), outcome.trace.end());
-    if (outcome.interrupted) next.status = model::DesignStatus::interrupted;
+    if (options.stop.stop_requested()) next.status = model::DesignStatus::interrupted;
     designs.push_back(std::move(next));
   }
   return designs;

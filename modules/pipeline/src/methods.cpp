@@ -6,13 +6,13 @@
 #include <tencer/elimination/search.hpp>
 #include <tencer/ground_structure/dense_springs.hpp>
 #include <tencer/ground_structure/pin_cables.hpp>
-#include <tencer/pipeline/symmetry.hpp>
 #include <tencer/sparsify/greedy.hpp>
 #include <tencer/sparsify/slide.hpp>
 #include <tencer/sparsify/sparsify.hpp>
-#include <tencer/symmetry/subgroups.hpp>
 #include <thread>
 #include <utility>
+
+#include "edit.hpp"
 
 namespace tencer::pipeline {
 namespace {
@@ -27,6 +27,21 @@ using network::StageResult;
 int threads_of(const model::DesignSettings& settings) {
   const auto has = static_cast<int>(std::thread::hardware_concurrency());  // 0: not known
   return settings.threads.value_or(std::max(has, 1));
+}
+
+// What a search of little or much effort does less or more of than the usual one.
+void set_effort(int effort, EliminationOptions& options) {
+  if (effort == 1) {
+    options.local_search.max_rounds = 0;
+    for (auto& balance : options.start.balances) balance.descents = 2;
+    options.fit.further = 1;
+  }
+  if (effort == 3) {
+    options.local_search.max_rounds = 60;
+    options.local_search.patience = 6;
+    options.fit.further = 4;
+    options.prolong.spare = 4;
+  }
 }
 
 // The stages of a design one after the other, each from the network of the last; they end early
@@ -68,10 +83,12 @@ class Stages {
   }
 
   void force_balance() {
-    constexpr int max_seed_order = 24;  // operations of symmetric networks to begin with
-    std::vector<symmetry::Group> seeds;
-    if (!problem_.symmetry) seeds = symmetry::subgroups(near_symmetry(problem_), max_seed_order);
-    add(elimination::search(problem_, seeds, first_options(), control_));
+    if (const auto& edit = task_.scene.edit) {
+      add(elimination::revise(revision_of(*edit, task_.prepared.scaling), problem_, first_options(),
+                              control_));
+      return;
+    }
+    add(elimination::search(problem_, first_options(), control_));
   }
 
   // Pins to cables to the anchors, and of the cables there are then fewer.
@@ -147,6 +164,7 @@ class Stages {
                                .measure = settings_.objective,
                                .workmanship = workmanship(),
                                .threads = threads_of(settings_)};
+    set_effort(settings_.effort, options);
     options.fit.optimizer = task_.fit_optimizer();
     if (settings_.hessian == model::SecondDerivatives::limited_memory)
       options.fit.second_derivatives = settings_.hessian;  // there are no exact ones for this fit

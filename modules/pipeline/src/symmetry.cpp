@@ -1,15 +1,14 @@
 #include <cmath>
 #include <sstream>
+#include <tencer/ground_structure/problem_symmetry.hpp>
 #include <tencer/pipeline/symmetry.hpp>
-#include <tencer/symmetry/detect.hpp>
 #include <utility>
 #include <vector>
-
-#include "symmetry_constraints.hpp"
 
 namespace tencer::pipeline {
 namespace {
 
+using ground_structure::detected;
 using ground_structure::Problem;
 using symmetry::Operation;
 
@@ -40,17 +39,17 @@ core::Error in_scene_units(const model::Scene& scene, const Problem& problem,
       symmetry::verify(unscaled, scene.generators, {.objection = [&](const Operation& operation) {
                          Operation scaled = operation;
                          for (auto& map : scaled.rods) map.offset /= length;
-                         return broken_by(scaled, problem, figure);
+                         return ground_structure::broken_by(scaled, problem, figure);
                        }});
   return again ? error : again.error();
 }
 
 core::Expected<symmetry::Symmetry> given(const model::Scene& scene, const Problem& problem,
                                          const model::Scaling& scaling) {
-  const symmetry::Figure figure = figure_of(problem);
+  const symmetry::Figure figure = ground_structure::figure_of(problem);
   auto found = symmetry::verify(figure, scaled(scene.generators, scaling),
                                 {.objection = [&](const Operation& operation) {
-                                  return broken_by(operation, problem, figure);
+                                  return ground_structure::broken_by(operation, problem, figure);
                                 }});
   if (found) return found;
   const core::Error error = in_scene_units(scene, problem, figure, scaling, found.error());
@@ -58,14 +57,6 @@ core::Expected<symmetry::Symmetry> given(const model::Scene& scene, const Proble
 }
 
 const double exact = symmetry::Options{}.tolerance;
-
-symmetry::Symmetry detected(const Problem& problem, double tolerance) {
-  const symmetry::Figure figure = figure_of(problem);
-  return symmetry::detect(figure,
-                          {.tolerance = tolerance, .objection = [&](const Operation& operation) {
-                             return broken_by(operation, problem, figure);
-                           }});
-}
 
 std::string direction_text(const Eigen::Vector3d& direction) {
   std::ostringstream text;
@@ -91,11 +82,6 @@ core::Expected<std::optional<symmetry::Group>> symmetry_of(const model::Scene& s
   }
   if (group && group->order() == 1) group.reset();
   return group;
-}
-
-symmetry::Group near_symmetry(const Problem& problem) {
-  constexpr double nearly = 1e-2;
-  return detected(problem, nearly).group;
 }
 
 std::string symmetry_in_words(const Problem& problem) {

@@ -14,7 +14,7 @@ int main() {
   problem.start = model::make_state(problem.structure, problem.target.points);
   problem.candidates =
       ground_structure::candidates(problem.structure, problem.target.points, {}).value();
-  const auto result = elimination::search(problem, {}, {.goal = {.max_error_percent = 1}});
+  const auto result = elimination::search(problem, {.goal = {.max_error_percent = 1}});
   for (const auto& solution : result.solutions)
     std::cout << solution.cables() << " cables, " << solution.max_percent << " %\n";
   return result.stage.valid() ? 0 : 1;

@@ -22,30 +22,6 @@ Objective objective_at(const FittedNetwork& fitted, const Descent& descent) {
           .stability_weight = descent.stability_weight};
 }
 
-// Takes one orbit out: at once, with more damping, then bit by bit.
-bool remove(FittedNetwork& fitted, int orbit, const RemovalOptions& options) {
-  const double max_value = options.jumped;
-  for (const double damping_factor : {1.0, 10.0}) {
-    const GaussNewtonModel model = fitted.gauss_newton_model(damping_factor);
-    if (fitted.move(model.local(), model.step({orbit}), {orbit}, max_value)) return true;
-  }
-  double part = 0.5;
-  double damping_factor = 10;
-  for (int step = 0; step < options.gradual_steps && !fitted.stopped(); ++step) {
-    const GaussNewtonModel model = fitted.gauss_newton_model(damping_factor);
-    if (step > 0 && fitted.move(model.local(), model.step({orbit}), {orbit}, max_value))
-      return true;
-    if (fitted.move(model.local(), model.step({orbit}, part), {}, max_value)) {
-      part = std::min(0.75, 1.5 * part);
-    } else {
-      part /= 2;
-      damping_factor *= 4;
-      if (part < options.min_part) return false;
-    }
-  }
-  return false;
-}
-
 // Orbits from the cheapest to remove on; those without which the network would not be stable come
 // last.
 std::vector<int> removal_order(const FittedNetwork& fitted, const GaussNewtonModel& model,
@@ -103,6 +79,29 @@ bool remove_next(FittedNetwork& fitted, int min_cables, const RemovalOptions& op
 }
 
 }  // namespace
+
+bool remove(FittedNetwork& fitted, int orbit, const RemovalOptions& options) {
+  const double max_value = options.jumped;
+  for (const double damping_factor : {1.0, 10.0}) {
+    const GaussNewtonModel model = fitted.gauss_newton_model(damping_factor);
+    if (fitted.move(model.local(), model.step({orbit}), {orbit}, max_value)) return true;
+  }
+  double part = 0.5;
+  double damping_factor = 10;
+  for (int step = 0; step < options.gradual_steps && !fitted.stopped(); ++step) {
+    const GaussNewtonModel model = fitted.gauss_newton_model(damping_factor);
+    if (step > 0 && fitted.move(model.local(), model.step({orbit}), {orbit}, max_value))
+      return true;
+    if (fitted.move(model.local(), model.step({orbit}, part), {}, max_value)) {
+      part = std::min(0.75, 1.5 * part);
+    } else {
+      part /= 2;
+      damping_factor *= 4;
+      if (part < options.min_part) return false;
+    }
+  }
+  return false;
+}
 
 std::vector<Network> eliminate_backward(FittedNetwork& fitted, const Descent& descent,
                                         const RemovalOptions& options) {

@@ -20,6 +20,10 @@ struct Descent {
   std::function<void(const FittedNetwork&)> progress{};  // after each removal; may be empty
 };
 
+// Takes one orbit out: at once, with more damping, then bit by bit. false: the network does not
+// hold without; some of its tension may be gone.
+bool remove(FittedNetwork& fitted, int orbit, const RemovalOptions& options);
+
 // The networks on the way, from the first one refitted to the one with the fewest cables; none of
 // them is fitted closer than it takes to go on. `fitted` is left at the last.
 std::vector<network::Network> eliminate_backward(FittedNetwork& fitted, const Descent& descent,

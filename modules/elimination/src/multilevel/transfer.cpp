@@ -41,6 +41,11 @@ Eigen::Matrix3Xd ResolutionMap::positions(const Eigen::Matrix3Xd& x) const {
                                  common_to_.knots().head(to_.edges() + (to_.closed() ? 0 : 1)));
 }
 
+void transfer(springs::Cable& cable, const std::vector<ResolutionMap>& rods) {
+  transfer(cable.a, rods);
+  transfer(cable.b, rods);
+}
+
 std::vector<ResolutionMap> resolution_maps(const std::vector<der::Rod>& from,
                                            const std::vector<der::Rod>& to) {
   std::vector<ResolutionMap> result;
@@ -61,8 +66,7 @@ network::Network transferred(const network::Network& network, const model::Struc
   const auto along = model::arc_lengths(bare);
   for (std::size_t c = 0; c < network.structure.cables.size(); ++c) {
     springs::Cable cable = network.structure.cables[c];
-    transfer(cable.a, maps);
-    transfer(cable.b, maps);
+    transfer(cable, maps);
     const double length =
         model::span_of(springs::stencil(cable, along, bare.anchors), result.state).norm();
     result.structure.cables.push_back(springs::with_tension(

@@ -26,6 +26,9 @@ class ResolutionMap {
 std::vector<ResolutionMap> resolution_maps(const std::vector<der::Rod>& from,
                                            const std::vector<der::Rod>& to);
 
+// The cable with its ends where they are on the other rods.
+void transfer(springs::Cable& cable, const std::vector<ResolutionMap>& rods);
+
 // The network on the rods of another resolution, cables as good as inextensible and with the same
 // tensions: near an equilibrium.
 network::Network transferred(const network::Network& network, const model::Structure& bare);

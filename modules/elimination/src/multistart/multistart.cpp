@@ -105,7 +105,7 @@ Descent Multistart::descent(const DescentSettings& settings, double max_error_pe
           .progress = [this](const FittedNetwork& at) { report(at); }};
 }
 
-void Multistart::add_fitted(const Network& network, ParetoArchive& archive) {
+void Multistart::add_fitted(const Network& network, ParetoArchive& archive, Fit fit) {
   // What is found counts even if the search was stopped meanwhile.
   network::Control unstopped = control_;
   unstopped.stop = {};
@@ -116,7 +116,7 @@ void Multistart::add_fitted(const Network& network, ParetoArchive& archive) {
   for (const auto& [stability_weight, min_unit] : options_.fit.attempts) {
     if (!fitted.usable()) break;
     const bool stopped = control_.stop.stop_requested();
-    if (!stopped)
+    if (!stopped || fit == Fit::always)
       fit_closely(fitted, options_.measure, stability_weight, min_unit * accepted, options_.fit);
     Solution& solution = found.emplace_back(Solution{.network = fitted.network(),
                                                      .max_percent = fitted.deviation().max_percent,
@@ -150,6 +150,8 @@ void Multistart::look_for_footing(std::vector<Solution>& found) const {
 ParetoArchive Multistart::fit_answers(const std::vector<Network>& path) {
   const model::Goal& goal = options_.goal;
   ParetoArchive archive;
+  // Where time was short the first, with the most cables, may be all that holds.
+  if (control_.stop.stop_requested()) add_fitted(path.front(), archive);
   int further = options_.fit.further;
   for (auto network = path.rbegin(); network != path.rend(); ++network) {
     if (goal.by_number() && !goal.every_number) {

@@ -21,6 +21,9 @@ struct Start {
   const symmetry::Group* symmetry = nullptr;
 };
 
+// Whether a network is fitted although the search was stopped.
+enum class Fit { unless_stopped, always };
+
 // No network much softer than `start` is entered, nor one that errors move much further than it and
 // than is asked, nor one whose rods are more free of each other.
 Requirements requirements_for(const network::Network& start, const model::Target& target,
@@ -46,7 +49,8 @@ class Multistart {
 
   // The network fitted as closely as it goes, or as it is when there is no time left; adds nothing
   // when there is no stable equilibrium near it.
-  void add_fitted(const network::Network& network, ParetoArchive& archive);
+  void add_fitted(const network::Network& network, ParetoArchive& archive,
+                  Fit fit = Fit::unless_stopped);
 
   // What was done since the last call.
   network::SolveCounts take_counts();

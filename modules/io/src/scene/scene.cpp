@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "scene/parse_scene.hpp"
+#include "scene/scene_edit.hpp"
 #include "scene/scene_rods.hpp"
 #include "scene/scene_section.hpp"
 #include "scene/toml_value.hpp"
@@ -220,10 +221,26 @@ void read_external(const TomlTable& design, Scene& scene) {
 }
 
 void read_design(const TomlTable& design, Scene& scene) {
-  design.only({"method", "optimizer", "hessian", "max_error", "cables", "objective", "symmetry",
-               "rod_pairs", "external", "hand_over", "longest_cable", "weights", "forbidden_arcs",
-               "forbidden_vertices", "sparsity_weights", "spring_stiffness", "greedy_threshold",
-               "threads"});
+  design.only({"method",
+               "optimizer",
+               "hessian",
+               "max_error",
+               "cables",
+               "objective",
+               "symmetry",
+               "rod_pairs",
+               "external",
+               "hand_over",
+               "longest_cable",
+               "weights",
+               "forbidden_arcs",
+               "forbidden_vertices",
+               "sparsity_weights",
+               "spring_stiffness",
+               "greedy_threshold",
+               "threads",
+               "time",
+               "effort"});
   model::DesignSettings& settings = scene.design;
   const auto positive = [&](std::string_view key, double& value) {
     value = design.positive(key).value_or(value);
@@ -236,6 +253,8 @@ void read_design(const TomlTable& design, Scene& scene) {
   settings.cables = design.integer("cables", 1);
   positive("longest_cable", scene.rules.max_cable_length);
   settings.threads = design.integer("threads", 1);
+  settings.time = design.positive("time");
+  settings.effort = design.integer("effort", 1, 3).value_or(settings.effort);
   positive("spring_stiffness", settings.spring_stiffness);
   positive("greedy_threshold", settings.greedy_threshold);
   settings.sparsity_weights =
@@ -323,7 +342,7 @@ void check_plane(const Scene& scene, const std::string& where) {
 Scene read_root(const TomlTable& root, const std::filesystem::path& path,
                 const SceneOptions& options) {
   root.only({"name", "length_unit", "force_unit", "planar", "anchors", "frame", "pinned", "gravity",
-             "loads", "rod", "design", "build"});
+             "loads", "rod", "design", "build", "edit"});
   Scene scene;
   model::Structure& structure = scene.structure;
   scene.name = root.text("name").value_or(stem(path));
@@ -345,6 +364,7 @@ Scene read_root(const TomlTable& root, const std::filesystem::path& path,
     structure.point_loads.push_back(read_load(load, scene));
   if (const auto design = root.table("design")) read_design(*design, scene);
   if (const auto build = root.table("build")) read_build(*build, scene.build);
+  if (const auto edit = root.table("edit")) scene.edit = read_edit(*edit, path.parent_path());
   if (const auto crossing = model::crossing(scene)) fail(scene.source, *crossing);
   if (structure.planar) check_plane(scene, root.where("planar"));
   return scene;

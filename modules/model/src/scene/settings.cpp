@@ -71,6 +71,8 @@ std::optional<std::string> DesignSettings::problem() const {
   if (!positive(max_error)) return "max_error must be a positive number";
   if (cables && *cables < 1) return "cables must be at least 1";
   if (threads && *threads < 1) return "threads must be at least 1";
+  if (time && !positive(*time)) return "time must be a positive number of seconds";
+  if (effort < 1 || effort > 3) return "effort must be 1, 2 or 3";
   if (!positive(spring_stiffness)) return "spring_stiffness must be a positive number";
   if (!positive(greedy_threshold)) return "greedy_threshold must be a positive number";
   if (sparsity_weights.empty() || !(sparsity_weights[0] >= 0) ||

@@ -20,6 +20,20 @@ Interval unrolled(const Arc& arc, const geometry::ArcLength& along) {
   return {from, from + span};
 }
 
+bool near(const springs::End& a, const springs::End& b,
+          const std::vector<geometry::ArcLength>& along) {
+  if (a.index() != b.index()) return false;
+  if (const auto* anchor = std::get_if<springs::AtAnchor>(&a))
+    return anchor->anchor == std::get<springs::AtAnchor>(b).anchor;
+  const auto& on_a = std::get<springs::OnRod>(a);
+  const auto& on_b = std::get<springs::OnRod>(b);
+  if (on_a.rod != on_b.rod) return false;
+  const geometry::ArcLength& rod = along[on_a.rod];
+  double apart = std::abs(rod.wrap(on_a.s) - rod.wrap(on_b.s));
+  if (rod.closed()) apart = std::min(apart, rod.length() - apart);
+  return apart < unwanted_part * rod.length();
+}
+
 }  // namespace
 
 void Gaps::validate() const {
@@ -68,6 +82,14 @@ bool place_allowed(const Rules& rules, const Structure& structure, int rod, doub
     if (within(at, span)) return true;
     return along.closed() &&
            (within(at + along.length(), span) || within(at - along.length(), span));
+  });
+}
+
+bool is_unwanted(const Rules& rules, const std::vector<geometry::ArcLength>& along,
+                 const springs::Cable& cable) {
+  return std::ranges::any_of(rules.unwanted, [&](const springs::Cable& other) {
+    return (near(cable.a, other.a, along) && near(cable.b, other.b, along)) ||
+           (near(cable.a, other.b, along) && near(cable.b, other.a, along));
   });
 }
 

@@ -71,6 +71,7 @@ Rules scaled(Rules rules, const Scaling& scaling) {
     arc.from /= scaling.scale.length;
     arc.to /= scaling.scale.length;
   }
+  for (auto& cable : rules.unwanted) cable = scaled(cable, scaling.scale);
   rules.max_cable_length /= scaling.scale.length;
   if (rules.gaps) {
     if (rules.gaps->clearance) *rules.gaps->clearance /= scaling.scale.length;

@@ -126,6 +126,10 @@ struct StartOptions {
   double min_error_percent = 1e-2;
   double max_error_percent = 1.0;
   int min_beam_cables = 6;  // networks of few candidates have at least up to so many cables
+  // Some networks are given the symmetries that the target nearly has to begin with: groups of at
+  // most so many operations (0: none), to this part of the diagonal of its box.
+  int max_seed_order = 24;
+  double nearly_symmetric = 1e-2;
 
   void validate() const;
 };

@@ -8,6 +8,8 @@
 
 namespace tencer::model {
 
+inline constexpr double unwanted_part = 0.05;
+
 struct RodPair {
   int a = 0;
   int b = 0;  // may be the same rod
@@ -43,7 +45,10 @@ struct Rules {
   std::optional<std::vector<RodPair>> pairs{};  // rods that cables may join; not set: any
   std::vector<Arc> forbidden{};                 // where no cable may attach
   double max_cable_length = std::numeric_limits<double>::infinity();
-  bool external = true;        // cables to anchors, when the structure has any
+  bool external = true;  // cables to anchors, when the structure has any
+  // None whose both ends are within `unwanted_part` of a rod's length of the ends of one of these;
+  // of an anchor, the same one. Only their ends count.
+  std::vector<springs::Cable> unwanted{};
   std::optional<Gaps> gaps{};  // what keeps clear of what; not set: cables may pass through rods
 };
 
@@ -56,6 +61,10 @@ bool pair_allowed(const Rules& rules, int rod_a, int rod_b);
 
 // Whether a cable may attach at arc length s of a rod (any s on a closed rod).
 bool place_allowed(const Rules& rules, const Structure& structure, int rod, double s);
+
+// Whether a cable is like one of the unwanted ones.
+bool is_unwanted(const Rules& rules, const std::vector<geometry::ArcLength>& along,
+                 const springs::Cable& cable);
 
 struct Interval {
   double lower = 0.0;

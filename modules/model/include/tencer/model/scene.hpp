@@ -6,6 +6,7 @@
 #include <string>
 #include <tencer/geometry/polyline.hpp>
 #include <tencer/model/build.hpp>
+#include <tencer/model/edit.hpp>
 #include <tencer/model/rules.hpp>
 #include <tencer/model/settings.hpp>
 #include <tencer/model/symmetry.hpp>
@@ -30,6 +31,7 @@ struct Scene {
   std::vector<SymmetryGenerator> generators{};  // for SymmetryUse::given
   DesignSettings design{};
   BuildSettings build{};
+  std::optional<Edit> edit{};  // of another design; not set: designed anew
 };
 
 // The curve that a rod's target is.

@@ -61,6 +61,9 @@ struct DesignSettings {
   bool hand_over = false;  // pins: to cables to the anchors, once the pinned rods are designed
   // Where work can be shared out; not set: as many as the machine has. The design is the same.
   std::optional<int> threads = std::nullopt;
+  // Seconds after which the search ends with the best it has; not set: when it stops to pay.
+  std::optional<double> time = std::nullopt;
+  int effort = 2;  // of the search: 1 quick, 2, 3 thorough
   // Weights of the sparsity term of dense_springs, tried in this order (section 5.3).
   std::vector<double> sparsity_weights{0, 1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
   double spring_stiffness = 100;   // factor f of k = f E c^2 / L (section 5.1)

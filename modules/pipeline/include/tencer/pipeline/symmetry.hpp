@@ -19,9 +19,6 @@ core::Expected<std::optional<symmetry::Group>> symmetry_of(const model::Scene& s
                                                            const ground_structure::Problem& problem,
                                                            const model::Scaling& scaling);
 
-// What the target nearly has, to a hundredth of its bounding box's diagonal; at least the identity.
-symmetry::Group near_symmetry(const ground_structure::Problem& problem);
-
 // The target's symmetries in words, such as "a 3-fold rotation about (0, 0, 1) and a mirror plane
 // across (1, 0, 0)"; empty when it has none.
 std::string symmetry_in_words(const ground_structure::Problem& problem);

@@ -1,17 +1,16 @@
-#include "symmetry_constraints.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tencer/ground_structure/problem_symmetry.hpp>
 #include <tuple>
 #include <utility>
 #include <vector>
 
-namespace tencer::pipeline {
+namespace tencer::ground_structure {
 namespace {
 
-using ground_structure::Problem;
 using symmetry::Operation;
 
 constexpr double same = 1e-9;  // relative difference of stiffnesses and weights
@@ -183,4 +182,12 @@ std::string broken_by(const Operation& operation, const Problem& problem,
   return Constraints(problem, figure)(operation);
 }
 
-}  // namespace tencer::pipeline
+symmetry::Symmetry detected(const Problem& problem, double tolerance) {
+  const symmetry::Figure figure = figure_of(problem);
+  return symmetry::detect(figure,
+                          {.tolerance = tolerance, .objection = [&](const Operation& operation) {
+                             return broken_by(operation, problem, figure);
+                           }});
+}
+
+}  // namespace tencer::ground_structure

@@ -1,0 +1,14 @@
+// The [edit] table of a scene: the design that another is made from.
+#pragma once
+
+#include <filesystem>
+#include <tencer/model/edit.hpp>
+
+#include "scene/toml_value.hpp"
+
+namespace tencer::io {
+
+// folder: what the path of the design is relative to.
+model::Edit read_edit(const TomlTable& edit, const std::filesystem::path& folder);
+
+}  // namespace tencer::io
