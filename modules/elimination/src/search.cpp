@@ -99,13 +99,28 @@ Network at_rest(Network network, const network::Control& control) {
   return network;
 }
 
+// The same for another problem.
+Requirements carried_over(const Requirements& requirements, const Problem& problem) {
+  return {.target = problem.target,
+          .rules = problem.rules,
+          .symmetry = problem.group(),
+          .min_eigenvalue = requirements.min_eigenvalue,
+          .max_floating = requirements.max_floating,
+          .fixed_cables = requirements.fixed_cables,
+          .workmanship = requirements.workmanship,
+          .standing_deviation = requirements.standing_deviation};
+}
+
 // The revision's network, at rest, without the cables that go; some may be new in it.
 Network replaced(const Revision& revision, const Problem& problem, Network network,
                  const Multistart& multistart) {
   if (revision.going == 0) return network;
   const EliminationOptions& options = multistart.options();
+  Problem with_all = problem;
+  with_all.rules.unwanted.clear();
+  const Requirements requirements = carried_over(multistart.requirements(), with_all);
   FittedNetwork at =
-      multistart.fitted(network, multistart.requirements(),
+      multistart.fitted(network, requirements,
                         {.norm = {.unit = multistart.aim_percent() / 100 * multistart.diagonal()},
                          .stability_weight = options.portfolio.front().stability_weight});
   if (at.usable() && replace(at, revision.kept, revision.going, problem.candidates,
@@ -189,18 +204,6 @@ int vertices_of(const model::Structure& structure) {
   return vertices;
 }
 
-// The same of other rods.
-Requirements carried_over(const Requirements& requirements, const Problem& problem) {
-  return {.target = problem.target,
-          .rules = problem.rules,
-          .symmetry = problem.group(),
-          .min_eigenvalue = requirements.min_eigenvalue,
-          .max_floating = requirements.max_floating,
-          .fixed_cables = requirements.fixed_cables,
-          .workmanship = requirements.workmanship,
-          .standing_deviation = requirements.standing_deviation};
-}
-
 // The search on fewer vertices, and what it found brought back to all; an empty archive when
 // nothing came of it.
 ParetoArchive find_coarse(const Revision* revision, const Problem& problem, const Problem& coarse,
@@ -241,6 +244,25 @@ ParetoArchive find_coarse(const Revision* revision, const Problem& problem, cons
   return archive;
 }
 
+// On fewer vertices first, where that saves time; on all when nothing comes of it.
+ParetoArchive find_anywhere(const Revision* revision, const Problem& problem,
+                            const EliminationOptions& options, const network::Control& control,
+                            StageResult& result) {
+  if (const auto coarse = coarsened(problem, options.coarse)) {
+    ParetoArchive archive = find_coarse(revision, problem, *coarse, options, control, result);
+    if (archive.best_for(options.goal)) return archive;
+  }
+  // What is on fewer vertices is of no use.
+  result.network = revision ? revision->network : problem.bare();
+  return find(revision, problem, options, control, result).archive;
+}
+
+// What was asked for, standing.
+bool answered(const ParetoArchive& archive, const model::Goal& goal) {
+  const Solution* best = archive.best_for(goal);
+  return best && goal.met(best->score()) && best->standing.stands();
+}
+
 // The box about a target that was turned has another diagonal: `percent` of it are 1 % of the one
 // that was given.
 network::Control with_percent(const network::Control& control, double percent) {
@@ -268,15 +290,16 @@ EliminationResult found_for(const Problem& given, const Revision* revision,
     revision = &*own;
   }
   StageResult result{.network = revision ? revision->network : problem.bare()};
-  ParetoArchive archive;
-  if (const auto coarse = coarsened(problem, options.coarse))
-    archive = find_coarse(revision, problem, *coarse, options, control, result);
-  if (!archive.best_for(options.goal)) {
-    // What is on fewer vertices is of no use.
-    result.network = revision ? revision->network : problem.bare();
-    archive = find(revision, problem, options, control, result).archive;
-  }
+  ParetoArchive archive = find_anywhere(revision, problem, options, control, result);
   network::StageRecorder recorder("eliminate", control);
+  const model::Goal& goal = options.goal;
+  if (goal.by_number() && !goal.every_number && !answered(archive, goal) && !recorder.stopped()) {
+    // Where the closest with so many cables does not stand, the fewest within the error may.
+    EliminationOptions by_error = options;
+    by_error.goal.cables = 0;
+    archive.add(find_anywhere(revision, problem, by_error, control, result));
+    if (const Solution* best = archive.best_for(goal)) result.network = best->network;
+  }
   recorder.finish(result, problem.target);
   result.network = canonical.restored(result.network, given.structure);
   std::vector<Solution> solutions = archive.best();

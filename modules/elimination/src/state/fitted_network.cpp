@@ -104,7 +104,11 @@ bool FittedNetwork::trial_is_valid() const {
     if (!(springs::tension(trial_.cables()[c], length) > 0)) return false;
     if (length > requirements_.rules.max_cable_length * (1 + 1e-9)) return false;
   }
-  return true;
+  const model::Rules& rules = requirements_.rules;
+  return rules.unwanted.empty() ||
+         std::ranges::none_of(trial_.cables(), [&](const springs::Cable& cable) {
+           return model::is_unwanted(rules, trial_.system.arc_lengths(), cable);
+         });
 }
 
 void FittedNetwork::accept() {

@@ -61,7 +61,8 @@ std::vector<std::string> shortfalls(const Design& design) {
   if (design.goal && design.error && !design.goal->met(score_of(design))) {
     std::ostringstream text;
     if (design.goal->by_number())
-      text << "it has more cables than the " << design.goal->cables << " asked for";
+      text << "it has " << design.built.size() << " cables: none was found with "
+           << design.goal->cables << " or fewer";
     else
       text << "the max error is above the " << design.goal->max_error_percent << " % asked for";
     reasons.push_back(text.str());
