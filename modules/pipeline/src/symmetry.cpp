@@ -2,6 +2,7 @@
 #include <sstream>
 #include <tencer/ground_structure/problem_symmetry.hpp>
 #include <tencer/pipeline/symmetry.hpp>
+#include <tencer/symmetry/detect.hpp>
 #include <utility>
 #include <vector>
 
