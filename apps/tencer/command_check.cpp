@@ -44,14 +44,14 @@ core::Expected<ExitCode> run_check(CheckRequest request) {
       design.status = model::DesignStatus::tolerance_not_reached;
     if (const auto error = write_design_files(request.output, design)) return *error;
   }
-  const model::CheckUnits units{checked->design.length_unit, checked->design.force_unit};
+  const model::CheckTerms terms = model::terms_of(checked->design);
   std::cout << (request.json ? io::check_text(checked->design, checked->check)
-                             : model::report(checked->check, units));
+                             : model::report(checked->check, terms));
   if (interrupt.token().stop_requested()) {
     std::cerr << "interrupted: not everything was looked at\n";
     return ExitCode::tolerance_not_reached;
   }
-  return model::shortfalls(checked->check, units).empty() ? ExitCode::ok
+  return model::shortfalls(checked->check, terms).empty() ? ExitCode::ok
                                                           : ExitCode::tolerance_not_reached;
 }
 

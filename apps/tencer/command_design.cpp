@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <tencer/core/words.hpp>
 #include <tencer/io/file.hpp>
 #include <tencer/model/units.hpp>
 #include <tencer/pipeline/design.hpp>
@@ -71,8 +72,8 @@ network::ProgressSink progress_lines(const core::Log& log) {
     last = now;
     std::ostringstream line;
     line.precision(3);
-    line << "  " << progress.stage << ": " << progress.cables << " cables, max error "
-         << progress.max_percent << " %, " << progress.seconds << " s";
+    line << "  " << progress.stage << ": " << core::counted(progress.cables, "cable")
+         << ", max error " << progress.max_percent << " %, " << progress.seconds << " s";
     log(core::Level::info, line.str());
   };
 }

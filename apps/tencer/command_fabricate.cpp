@@ -39,14 +39,14 @@ core::Expected<ExitCode> run_fabricate(const FabricateRequest& request) {
   if (!sheet) return core::Error{request.input.string(), sheet.error().text()};
   const std::filesystem::path folder =
       request.output.empty() ? request.input.parent_path() / "sheet" : request.output;
-  if (const auto error = io::write_files(folder, sheet_files(*sheet))) return *error;
+  if (const auto error = write_sheet(folder, *sheet)) return *error;
   const auto cables = static_cast<int>(sheet->list.cables.size());
   std::cout << (folder / "sheet.pdf").string() << ": " << core::counted(sheet->solid.rods, "rod")
             << ", " << core::counted(cables, "cable") << ", cut with "
             << sheet->list.allowances.joint << " mm for a joint and " << sheet->list.allowances.knot
             << " mm for each knot\n";
   const std::string what = !sheet->check                    ? "is not checked"
-                           : !sheet->check->passed          ? "does not pass its check"
+                           : sheet->check->passed == false  ? "does not pass its check"
                            : !not_looked_at(*sheet).empty() ? "is checked in part only"
                                                             : "";
   if (!what.empty())

@@ -1,6 +1,7 @@
 // tencer simulate DESIGN: where a designed structure comes to rest.
 #include <iostream>
 #include <memory>
+#include <tencer/core/words.hpp>
 #include <tencer/io/file.hpp>
 #include <tencer/pipeline/simulate.hpp>
 
@@ -57,9 +58,10 @@ core::Expected<ExitCode> run_simulate(const SimulateRequest& request) {
   if (!result) return core::Error{request.input.string(), result.error().text()};
   if (!request.output.empty())
     if (const auto error = write_design_files(request.output, result->design)) return *error;
-  std::cout << describe(result->reason) << ": " << result->iterations << " iterations, "
-            << result->factorisations << " factorisations, " << result->unknowns << " unknowns, "
-            << result->seconds * 1e3 << " ms, residual " << result->residual << '\n'
+  std::cout << describe(result->reason) << ": " << core::counted(result->iterations, "iteration")
+            << ", " << core::counted(result->factorisations, "factorisation") << ", "
+            << core::counted(result->unknowns, "unknown") << ", " << result->seconds * 1e3
+            << " ms, residual " << result->residual << '\n'
             << "largest motion from the file's pose " << result->moved_percent
             << " % of the target's size";
   if (request.refine > 1) std::cout << ", with " << request.refine << " edges for each";

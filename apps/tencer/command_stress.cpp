@@ -1,6 +1,7 @@
 // tencer stress: how the solvers fare on stiff, extreme and degenerate cases.
 #include <iostream>
 #include <memory>
+#include <tencer/core/words.hpp>
 
 #include "command.hpp"
 #include "stress/table.hpp"
@@ -18,7 +19,7 @@ does neither, the exit code is 3.)";
 core::Expected<ExitCode> run_stress(stress::Format format) {
   const int failed = stress::print_table(std::cout, format);
   if (failed == 0) return ExitCode::ok;
-  std::cout << '\n' << failed << " cases FAILED\n";
+  std::cout << '\n' << core::counted(failed, "case") << " FAILED\n";
   return ExitCode::tolerance_not_reached;
 }
 

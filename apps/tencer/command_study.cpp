@@ -7,6 +7,7 @@
 #include <memory>
 #include <set>
 #include <sstream>
+#include <tencer/core/words.hpp>
 #include <tencer/io/file.hpp>
 #include <tencer/pipeline/backends.hpp>
 
@@ -76,7 +77,7 @@ class Draughtsman {
 std::string line_of(const study::Row& row) {
   std::ostringstream line;
   line << title_of(row.run) << ": " << std::setprecision(3);
-  if (row.cables) line << *row.cables << " cables, ";
+  if (row.cables) line << core::counted(*row.cables, "cable") << ", ";
   if (row.max_percent) line << "max error " << *row.max_percent << " %, ";
   line << row.seconds << " s";
   if (row.status != "complete") line << "; " << row.status;
@@ -178,7 +179,9 @@ core::Expected<ExitCode> run_study(StudyRequest request, const core::Log& log) {
   }
   if (interrupt.token().stop_requested())
     std::cout << "interrupted: the same command goes on from here\n";
-  if (short_of > 0) std::cout << short_of << " runs are not complete; the table says why\n";
+  if (short_of > 0)
+    std::cout << core::counted(short_of, "run") << (short_of == 1 ? " is" : " are")
+              << " not complete; the table says why\n";
   if (!rows->empty()) std::cout << "see " << table.string() << '\n';
   return short_of > 0 || interrupt.token().stop_requested() ? ExitCode::tolerance_not_reached
                                                             : ExitCode::ok;

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <tencer/core/error.hpp>
+#include <tencer/core/words.hpp>
 #include <tencer/geometry/arc_length.hpp>
 #include <tencer/geometry/measure.hpp>
 #include <vector>
@@ -234,9 +235,10 @@ void add_arrow(const Vector3d& tail, const Vector3d& tip, std::vector<Piece>& pi
 std::string picture_svg(const model::Design& design) {
   core::require(!design.structure.rods.empty(), "picture_svg: needs at least one rod");
   const Frame frame = frame_of(all_points(design));
-  return drawn(
-      frame, "Rods held in shape by " + std::to_string(design.structure.cables.size()) + " cables",
-      pieces_of(design, frame.view));
+  return drawn(frame,
+               "Rods held in shape by " +
+                   core::counted(static_cast<int>(design.structure.cables.size()), "cable"),
+               pieces_of(design, frame.view));
 }
 
 std::string picture_svg(const model::Feasibility& feasibility) {

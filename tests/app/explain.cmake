@@ -23,7 +23,7 @@ run_tencer(design plane.toml -o plane --explain --quiet)
 expect_status(0)
 string(REGEX MATCH "left out:\n(.*)needed:\n(.*) cables?, max error" parts "${out}")
 expect_contains("${CMAKE_MATCH_1}" "24 unknowns fewer")
-expect_contains("${CMAKE_MATCH_2}" "an angle an edge where the section has two axes, rod 0")
+expect_contains("${CMAKE_MATCH_2}" "an angle an edge where the section has two axes: the rod")
 
 # Coarser rods for one design.
 run_tencer(design ring.obj -o half --resolution 0.5 --quiet)

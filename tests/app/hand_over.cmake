@@ -33,12 +33,12 @@ expect_status(0)
 # What is not symmetric is said, with how far off it is.
 file(WRITE ${WORK}/turned.toml "${rod}[design]\nsymmetry = [{fold = 3, axis = [0, 0, 1]}]\n")
 refused("turned.toml: design.symmetry[0]: the 3-fold rotation about the axis (0, 0, 1) through (10, "
-  "rod 0 misses what it should become by" design turned.toml -o turned)
+  "the rod misses what it should become by" design turned.toml -o turned)
 
 # The anchors are elsewhere.
 file(WRITE ${WORK}/apart.toml
   "planar = true\nanchors = [[0, 9, 0], [20, 9, 0], [10, 2, 0]]\n${pinned}${rod}${design}")
-refused("apart.toml: design.hand_over: the anchors must surround every pinned vertex" "vertex 0 of rod 0"
+refused("apart.toml: design.hand_over: the anchors must surround every pinned vertex" "vertex 0 of the rod"
   design apart.toml -o apart)
 
 # A symmetry is offered once, and not when the scene has said no.

@@ -81,7 +81,7 @@ file(WRITE ${WORK}/two.obj
   "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 3 1 0\nl 1 2 3 4\nl 5 6 7 8\n")
 run_tencer(design two.obj -o two --quiet)
 expect_status(3)
-expect_contains("${out}" "cannot be held: rod 0 lies apart from the others")
+expect_contains("${out}" "cannot be held: rod A lies apart from the others")
 
 # A run that fails leaves the design that is there: with bad input, and when one of the files cannot
 # be written.

@@ -37,7 +37,7 @@ TEST_CASE("an arch pinned at its ends swings about the line through them") {
   const Eigen::Vector3d line = (arch.state[0].x.col(20) - first).normalized();
   CHECK(swing.direction.cross(line).norm() < 1e-6);
   CHECK((swing.point - first).cross(line).norm() < 1e-6);
-  CHECK_THAT(certify::describe(groups[0]), Contains("rod 0 turns about the line through ("));
+  CHECK_THAT(certify::describe(groups[0], 1), Contains("the rod turns about the line through ("));
 }
 
 TEST_CASE("an arch on rollers shifts along them") {
@@ -50,7 +50,7 @@ TEST_CASE("an arch on rollers shifts along them") {
   REQUIRE(groups[0].motions.size() == 1);
   CHECK_FALSE(groups[0].motions[0].turns);
   CHECK(groups[0].motions[0].direction.cross(Eigen::Vector3d::UnitX()).norm() < 1e-6);
-  CHECK(certify::describe(groups[0]).starts_with("rod 0 shifts along ("));
+  CHECK(certify::describe(groups[0], 1).starts_with("the rod shifts along ("));
 }
 
 TEST_CASE("one pin leaves three turns about it") {
@@ -72,8 +72,8 @@ TEST_CASE("groups that nothing ties together are named") {
   const auto groups = certify::free_groups(pair.structure, pair.state);
   REQUIRE(groups.size() == 2);
   CHECK(groups[0].rods == std::vector<int>{0, 2});
-  CHECK(certify::describe(groups[0]) == "rods 0 and 2 move freely");
-  CHECK(certify::describe(groups[1]) == "rod 1 moves freely");
+  CHECK(certify::describe(groups[0], 3) == "rods A and C move freely");
+  CHECK(certify::describe(groups[1], 3) == "rod B moves freely");
 }
 
 TEST_CASE("what moves as a whole or not at all is no group that moves") {

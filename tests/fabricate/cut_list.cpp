@@ -102,13 +102,7 @@ TEST_CASE("Allowances that are no lengths are refused") {
                   std::invalid_argument);
 }
 
-TEST_CASE("Rods have letters, cables numbers, and lengths one decimal") {
-  CHECK(rod_name(0) == "A");
-  CHECK(rod_name(25) == "Z");
-  CHECK(rod_name(26) == "AA");
-  CHECK(rod_name(701) == "ZZ");
-  CHECK(rod_name(702) == "AAA");
-  CHECK(cable_name(0) == "1");
+TEST_CASE("Lengths at the bench have one decimal, ends the names of their rods") {
   CHECK(tenths(103.44) == "103.4");
   CHECK(tenths(-0.01) == "0.0");
   CHECK(end_name(springs::OnRod{1, 20}) == "B 20.0");

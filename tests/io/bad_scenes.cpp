@@ -178,18 +178,18 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
        "s.toml:1: pinned[0].axes: expected letters of \"xyz\", found \"w\""},
       {"pinned = [{vertex = 0}]\n" + ring, "s.toml:1: the key pinned[0].rod is missing"},
       {"planar = true\n[[rod]]\ncurve = 'tall.csv'\n",
-       "s.toml:1: planar: all z coordinates must be the same, but vertex 0 of rod 0 has z = 0 and "
-       "vertex 2 of rod 0 has z = 1"},
+       "s.toml:1: planar: all z coordinates must be the same, but vertex 0 of the rod has z = 0 "
+       "and "
+       "vertex 2 of the rod has z = 1"},
       {"planar = true\nanchors = [[0, 0, 1]]\n" + ring,
-       "s.toml:1: planar: all z coordinates must be the same, but the rods have z = 0 and anchor 0 "
-       "has z = 1"},
+       "s.toml:1: planar: all z coordinates must be the same, but the rods have z = 0 and "
+       "anchors[0] has z = 1"},
       {"[[rod]]\ncurve = 'eight.csv'\n",
-       "s.toml: the rod crosses itself: arc length 0 cm of rod 0 and arc length 9.121 cm of rod 0 "
-       "are "
-       "the same point; move the curves apart there"},
+       "s.toml: the rod crosses itself: 0 and 9.121 cm along the rod are the same point; "
+       "move the curves apart there"},
       {ring + "[[rod]]\nfamily = 'circle'\nparameters = {radius = 4}\nvertices = 8\n",
-       "s.toml: two rods cross: arc length 4 cm of rod 0 and arc length 0 cm of rod 1 are the same "
-       "point; move the curves apart there"},
+       "s.toml: two rods cross: A at 4 cm and B at 0 cm are the same point; move the curves apart "
+       "there"},
       {ring + "[desing]\n", "s.toml:3: unknown key desing; did you mean design?"},
       {"design = 3\n" + ring, "s.toml:1: design: expected a table, found 3"},
       {design + "max_eror = 1\n", "s.toml:4: unknown key design.max_eror; did you mean max_error?"},

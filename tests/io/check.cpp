@@ -22,10 +22,10 @@ TEST_CASE("What a check found can be read from the design's file again") {
   CHECK(read->design.name == design.name);
   REQUIRE(read->check);
   const io::FiledCheck& check = *read->check;
-  const model::CheckUnits units{design.length_unit, design.force_unit};
-  CHECK_FALSE(check.passed);
-  CHECK(check.fails == model::shortfalls(*design.check, units));
-  const auto lines = model::sections(*design.check, units);
+  const model::CheckTerms terms = model::terms_of(design);
+  CHECK(check.passed == false);
+  CHECK(check.fails == model::shortfalls(*design.check, terms));
+  const auto lines = model::sections(*design.check, terms);
   REQUIRE(check.lines.size() == lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     CHECK(check.lines[i].section == lines[i].section);
@@ -36,6 +36,29 @@ TEST_CASE("What a check found can be read from the design's file again") {
   CHECK(check.tolerance->length_error == 1);
   CHECK(check.tolerance->attachment_error == 2);
   CHECK(check.tolerance->percentile_95 == 2.125);
+}
+
+TEST_CASE("A part of a check that fails nothing is not passed") {
+  const Folder folder;
+  model::Design design = sample();
+  design.check = model::Check{.converged = model::Converged{.converged = true}};
+  REQUIRE_FALSE(io::write_design(folder / "part.json", design));
+  const auto part = io::read_checked_design(folder / "part.json");
+  REQUIRE(part);
+  CHECK_FALSE(part->check->passed);
+  CHECK(part->check->fails.empty());
+  CHECK_THAT(
+      io::check_text(design, *design.check),
+      Catch::Contains("\"passed\": null") && Catch::Contains("\"not_looked_at\": [\"stands\""));
+  design.check = model::Check{.stands = model::Stands{.rests = true, .certified = true},
+                              .forgives = model::Forgives{.max_deviation = 1},
+                              .comes_back = model::ComesBack{},
+                              .holds = model::Holds{},
+                              .weight = model::OwnWeight{},
+                              .clear = model::Clear{},
+                              .converged = model::Converged{.converged = true}};
+  REQUIRE_FALSE(io::write_design(folder / "whole.json", design));
+  CHECK(io::read_checked_design(folder / "whole.json")->check->passed == true);
 }
 
 TEST_CASE("A deviation that is not finite is none") {

@@ -203,7 +203,7 @@ TEST_CASE("what rods are built of is read back, and strains at the pose") {
   CHECK(read->strains[1]->curvature == 0.125);
   // Beyond what glass fibre holds: why it is not complete stands in the file.
   CHECK_THAT(folder.text("design.json"),
-             Catch::Contains("rod 1 is bent to a strain of 3 % at arc length"));
+             Catch::Contains("rod B is bent to a strain of 3 % at arc length"));
 }
 
 TEST_CASE("a design by another program needs the essentials only and may have keys of its own") {

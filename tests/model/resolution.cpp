@@ -129,7 +129,7 @@ TEST_CASE("a rod has as many vertices as its bends need, which follow the same c
   CHECK(enough.structure.rods[0].edges() == 1000);
   CHECK(enough.structure.rods[1].edges() == 30);
   REQUIRE(enough.notes.size() == scene.notes.size() + 1);
-  CHECK(enough.notes.back().find("rod 0 with 1000 edges in place of 20000") != std::string::npos);
+  CHECK(enough.notes.back().find("rod A with 1000 edges in place of 20000") != std::string::npos);
   for (const auto& point : enough.target.points[0].colwise())
     CHECK(std::pow(point.x() / 32.5, 2) + std::pow(point.y() / 25, 2) == Approx(1).epsilon(1e-9));
 

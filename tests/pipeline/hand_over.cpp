@@ -90,7 +90,7 @@ TEST_CASE("anchors have to surround the pins that they take over") {
     scene.structure.anchors.row(0).array() += 20;
     CHECK_THAT(error_of(scene),
                Catch::Matchers::StartsWith("small.obj: design.hand_over: the anchors must surround "
-                                           "every pinned vertex, but vertex 0 of rod 0 is not"));
+                                           "every pinned vertex, but vertex 0 of the rod is not"));
   }
   SECTION("out of reach") {
     scene.rules.max_cable_length = 60;

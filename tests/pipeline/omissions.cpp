@@ -49,11 +49,11 @@ TEST_CASE("rods with two axes, bends at rest or a closing angle say what they ne
   CHECK(unknowns(scene) == 4 * 90 + 30 + 30 + 1);
   const auto theta = feature(scene, "theta");
   CHECK(theta.used);
-  CHECK_THAT(theta.why, Contains("two axes, rod 0"));
-  CHECK_THAT(theta.why, Contains("curved at rest, rod 1"));
-  CHECK_THAT(theta.why, Contains("rods 2, 3 without"));
+  CHECK_THAT(theta.why, Contains("two axes: rod A"));
+  CHECK_THAT(theta.why, Contains("curved at rest: rod B"));
+  CHECK_THAT(theta.why, Contains("rods C and D without"));
   CHECK_THAT(theta.why, Contains("60 angles fewer"));
-  CHECK_THAT(theta.why, Contains("closing angle is given, rod 2"));
+  CHECK_THAT(theta.why, Contains("closing angle is given: rod C"));
 }
 
 TEST_CASE("a planar scene has no z, and a flat one that is not said to be planar has") {

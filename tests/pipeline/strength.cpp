@@ -51,7 +51,7 @@ TEST_CASE("a rod that does not hold for long is told before the search, and can 
   Said said;
   CHECK(designed(ellipse(0.15), said).complete());
   REQUIRE(said.warnings.size() == 1);
-  CHECK_THAT(said.warnings[0], Catch::Contains("rod 0 is bent to a strain of 1.49 %") &&
+  CHECK_THAT(said.warnings[0], Catch::Contains("the rod is bent to a strain of 1.49 %") &&
                                    Catch::Contains("glass fibre holds for long 1 %; a radius of "
                                                    "0.101 cm would do"));
 }
@@ -60,11 +60,11 @@ TEST_CASE("a rod that breaks is told before the search, and the design is not co
   Said said;
   const model::Design design = designed(ellipse(0.3), said);
   REQUIRE(said.warnings.size() == 1);
-  CHECK_THAT(said.warnings[0], Catch::Contains("rod 0 is bent to a strain of 2.98 %") &&
+  CHECK_THAT(said.warnings[0], Catch::Contains("the rod is bent to a strain of 2.98 %") &&
                                    Catch::Contains("glass fibre breaks at 2 %; a radius of 0.101"));
   CHECK(design.status == model::DesignStatus::tolerance_not_reached);
   REQUIRE(model::shortfalls(design).size() == 1);
-  CHECK_THAT(model::shortfalls(design)[0], Catch::Contains("rod 0 is bent to a strain of 2."));
+  CHECK_THAT(model::shortfalls(design)[0], Catch::Contains("the rod is bent to a strain of 2."));
   // What the cables are does not depend on it.
   CHECK(design.certificate->stable);
   CHECK(design.error->max_percent < 1);
@@ -74,7 +74,7 @@ TEST_CASE("a rod thicker than its bends are wide is refused") {
   const auto refused = pipeline::prepare(ellipse(12));
   REQUIRE_FALSE(refused);
   CHECK_THAT(refused.error().text(),
-             Catch::Contains("rod 0 is thicker than its bends are wide: at arc length") &&
+             Catch::Contains("the rod is thicker than its bends are wide: at arc length") &&
                  Catch::Contains("cm the curve has a radius of 10"));
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("corners are told, with the place, and a design with them is not compl
   REQUIRE(said.warnings.size() == 1);
   CHECK_THAT(
       said.warnings[0],
-      Catch::StartsWith("rod 0 has a corner at arc length 4 cm, (4, 0, 0), where it turns by "
+      Catch::StartsWith("the rod has a corner at arc length 4 cm, (4, 0, 0), where it turns by "
                         "60 degrees from one edge to the next, and 3 more: no rod follows "
                         "it (this one, of glass fibre, bends to a radius of 2 cm at the "
                         "least)"));
@@ -116,7 +116,7 @@ TEST_CASE("a rough target is told") {
   for (int i = 0; i < 60; ++i) rough.points(2, i) += i % 2 == 0 ? 0.4 : -0.4;
   const model::Scene scene = scene_of({rough});
   CHECK_THAT(model::bend_problem(scene.structure, 0, scene.target.points[0], {}, "cm").value_or(""),
-             Catch::Contains("rod 0 has a rough target"));
+             Catch::Contains("the rod has a rough target"));
 }
 
 TEST_CASE("edges that differ too much are named") {
@@ -125,5 +125,6 @@ TEST_CASE("edges that differ too much are named") {
       uneven.points.col(10) + (uneven.points.col(11) - uneven.points.col(10)) / 2000;
   const auto refused = pipeline::prepare(scene_of({uneven}));
   REQUIRE_FALSE(refused);
-  CHECK_THAT(refused.error().text(), Catch::Contains("rod 0 has edges too uneven: from vertex 10"));
+  CHECK_THAT(refused.error().text(),
+             Catch::Contains("the rod has edges too uneven: from vertex 10"));
 }

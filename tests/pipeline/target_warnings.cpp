@@ -39,11 +39,11 @@ TEST_CASE("each pair of rods that are nearer than they are thick is named with p
   CHECK(warnings_of({along, clear}).empty());
   const auto warnings = warnings_of({along, across, clear, above});
   REQUIRE(warnings.size() == 2);
-  CHECK_THAT(warnings[0], Contains("rods 0 and 1 go through each other: arc length 100 cm of rod 0 "
-                                   "and arc length 150 cm of rod 1 are 1.5 cm apart, axis to axis, "
+  CHECK_THAT(warnings[0], Contains("rods A and B go through each other: A at 100 cm "
+                                   "and B at 150 cm are 1.5 cm apart, axis to axis, "
                                    "where as thick as they are they need 2 cm"));
-  CHECK_THAT(warnings[1], Contains("rods 0 and 3 go through each other: arc length 300 cm of rod 0 "
-                                   "and arc length 100 cm of rod 3 are 1.9 cm apart"));
+  CHECK_THAT(warnings[1], Contains("rods A and D go through each other: A at 300 cm "
+                                   "and D at 100 cm are 1.9 cm apart"));
 }
 
 TEST_CASE("a rod that comes back to itself is named, one that only bends is not") {
@@ -61,6 +61,6 @@ TEST_CASE("a rod that comes back to itself is named, one that only bends is not"
   CHECK(warnings_of({helix(2.5)}).empty());
   const auto warnings = warnings_of({helix(1.5)});
   REQUIRE(warnings.size() == 1);
-  CHECK_THAT(warnings[0], Contains("rod 0 goes through itself: arc length "));
+  CHECK_THAT(warnings[0], Contains("the rod goes through itself: "));
   CHECK_THAT(warnings[0], Contains(" are 1.5 cm apart, axis to axis"));
 }

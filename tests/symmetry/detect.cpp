@@ -286,13 +286,13 @@ TEST_CASE("a generator that misses says by how much") {
   REQUIRE_FALSE(missed);
   CHECK(missed.error().where == "symmetry[1]");
   CHECK_THAT(missed.error().message, Catch::Contains("the reflection with normal (0, 0, 1)") &&
-                                         Catch::Contains("rod 0 misses") &&
+                                         Catch::Contains("the rod misses") &&
                                          Catch::Contains("where 0.1 % is allowed"));
   Figure anchored = trefoil(102);
   anchored.anchors = Eigen::Vector3d(20, 1, 0);
   const auto anchor = verify(anchored, std::vector<model::SymmetryGenerator>{Rotation{.fold = 3}});
   REQUIRE_FALSE(anchor);
-  CHECK_THAT(anchor.error().message, Catch::Contains("anchor 0 misses"));
+  CHECK_THAT(anchor.error().message, Catch::Contains("anchor 1 misses"));
 }
 
 TEST_CASE("generators that belong to no finite group are refused") {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tencer/core/names.hpp>
 #include <tencer/fabricate/names.hpp>
 
 #include "fabricate/labels.hpp"
@@ -165,13 +166,13 @@ class Sketch {
   void place_words() {
     Labels labels(spot_.bounds, busy_points());
     for (int r = 0; r < seen_.solid().rods && look_.words; ++r)
-      write(labels, fabricate::rod_name(r), {4.6, true, rod_colour(r)}, {lines_[r].col(0)}, false);
+      write(labels, core::rod_name(r), {4.6, true, rod_colour(r)}, {lines_[r].col(0)}, false);
     for (int c = 0; c < seen_.solid().cables(); ++c)
       if (drawn(c) && (!look_.plain || c == look_.new_cable)) number_cable(labels, c);
     if (!look_.words) return;
     const Path anchors = on_paper(seen_.anchors());
     for (int a = 0; a < anchors.cols(); ++a)
-      write(labels, fabricate::anchor_name(a), {2.5, false, soft_ink}, {anchors.col(a)}, false);
+      write(labels, core::anchor_name(a), {2.5, false, soft_ink}, {anchors.col(a)}, false);
   }
 
   void number_cable(Labels& labels, int c) {
@@ -179,7 +180,7 @@ class Sketch {
     std::vector<Vector2d> anchors;
     for (const double t : {0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82})
       anchors.emplace_back((1 - t) * line.col(0) + t * line.col(1));
-    write(labels, fabricate::cable_name(c), {2.7, true, accent}, anchors, true);
+    write(labels, core::cable_name(c), {2.7, true, accent}, anchors, true);
   }
 
   Canvas& canvas_;

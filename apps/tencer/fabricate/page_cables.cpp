@@ -1,4 +1,5 @@
 // What to cut of cable, in which order to tie it, and labels for the pieces.
+#include <tencer/core/names.hpp>
 #include <tencer/fabricate/names.hpp>
 
 #include "axes.hpp"
@@ -9,7 +10,7 @@
 namespace tencer::app {
 namespace {
 
-using fabricate::cable_name;
+using core::cable_name;
 using fabricate::end_name;
 using fabricate::tenths;
 

@@ -1,5 +1,6 @@
 // The first pages: what it is, whether it was found fit to be built, and how it looks.
 #include <algorithm>
+#include <tencer/core/names.hpp>
 #include <tencer/core/version.hpp>
 #include <tencer/core/words.hpp>
 #include <tencer/fabricate/names.hpp>
@@ -37,7 +38,7 @@ Verdict checked(const Sheet& sheet, const io::FiledCheck& check) {
   std::string missing;
   for (const std::string& section : not_looked_at(sheet))
     missing += (missing.empty() ? "" : ", ") + section;
-  if (!check.passed) {
+  if (check.passed == false) {
     verdict.head = "Checked: it does not pass";
   } else if (missing.empty()) {
     verdict.head = "Checked: it passes";
@@ -48,9 +49,6 @@ Verdict checked(const Sheet& sheet, const io::FiledCheck& check) {
   }
   if (check.tolerance) verdict.lines.push_back(tolerance_words(sheet, *check.tolerance));
   for (const std::string& reason : check.fails) verdict.lines.push_back(reason + ".");
-  if (!check.fails.empty())
-    verdict.lines.emplace_back(
-        "(These are tencer check's words, in which rods and cables count from 0.)");
   if (!missing.empty())
     verdict.lines.push_back("Not looked at: " + missing +
                             ". tencer check DESIGN -o FOLDER does; make this sheet of the design "
@@ -109,7 +107,7 @@ std::vector<Cells> rod_rows(const Sheet& sheet) {
     const fabricate::RodCut& rod = sheet.list.rods[r];
     const auto& materials = sheet.design.structure.materials;
     const der::Shape& shape = sheet.design.structure.rods[r].section.shape;
-    rows.push_back({fabricate::rod_name(static_cast<int>(r)), rod.closed ? "closed" : "open",
+    rows.push_back({core::rod_name(static_cast<int>(r)), rod.closed ? "closed" : "open",
                     tenths(rod.length), tenths(rod.cut),
                     model::in_words(shape, sheet.design.length_unit),
                     materials.empty() ? "not known" : model::in_words(materials[r]),

@@ -1,4 +1,5 @@
 // What to buy, and from which bar or coil each piece is cut.
+#include <tencer/core/names.hpp>
 #include <tencer/core/words.hpp>
 #include <tencer/fabricate/names.hpp>
 
@@ -69,7 +70,7 @@ std::vector<Cells> within(Canvas& canvas, double width, const std::vector<Cells>
 // A rod longer than a bar is made of several.
 std::string splice_words(const fabricate::Splice& splice) {
   std::string text =
-      "Rod " + fabricate::rod_name(splice.rod) + " is spliced at " + tenths(splice.from) + " mm";
+      "Rod " + core::rod_name(splice.rod) + " is spliced at " + tenths(splice.from) + " mm";
   if (splice.to > splice.from) text += ", its bars overlapping up to " + tenths(splice.to) + " mm";
   if (splice.nearest_mark)
     text += "; the nearest mark is " + tenths(*splice.nearest_mark) + " mm from there";
@@ -101,11 +102,11 @@ void add_kind(Book& book, const fabricate::Purchase& purchase, const fabricate::
 
 void add_purchase(Book& book, const Sheet& sheet) {
   book.section("What to buy");
-  add_kind(book, sheet.rods, sheet.offers.rods, {"Rod", "bar", fabricate::rod_name});
+  add_kind(book, sheet.rods, sheet.offers.rods, {"Rod", "bar", core::rod_name});
   for (const fabricate::Splice& splice : fabricate::splices(sheet.list, sheet.rods))
     book.paragraph(splice_words(splice));
   if (!sheet.list.cables.empty())
-    add_kind(book, sheet.cables, sheet.offers.cables, {"Cable", "coil", fabricate::cable_name});
+    add_kind(book, sheet.cables, sheet.offers.cables, {"Cable", "coil", core::cable_name});
   if (sheet.rods.cost && sheet.cables.cost)
     book.paragraph("Both together " + money(*sheet.rods.cost + *sheet.cables.cost) + ".",
                    {3.1, true});

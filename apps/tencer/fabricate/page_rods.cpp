@@ -1,6 +1,7 @@
 // What to cut of rod and where to mark it, and what to thread before it is joined.
 #include <algorithm>
 #include <numbers>
+#include <tencer/core/names.hpp>
 #include <tencer/core/words.hpp>
 #include <tencer/fabricate/names.hpp>
 
@@ -36,16 +37,15 @@ std::vector<Cells> mark_rows(const Sheet& sheet, const fabricate::RodCut& rod) {
   std::vector<Cells> rows;
   for (const model::Mark& mark : rod.marks) {
     const fabricate::CableCut& cable = sheet.list.cables[mark.cable];
-    rows.push_back({tenths(mark.s), fabricate::cable_name(mark.cable),
-                    mark.end == 0 ? "from" : "to",
+    rows.push_back({tenths(mark.s), core::cable_name(mark.cable), mark.end == 0 ? "from" : "to",
                     fabricate::end_name(mark.end == 0 ? cable.b : cable.a)});
   }
   return rows;
 }
 
 std::string pair_words(const fabricate::ThreadedPair& pair) {
-  const std::string a = fabricate::rod_name(pair.a);
-  const std::string b = fabricate::rod_name(pair.b);
+  const std::string a = core::rod_name(pair.a);
+  const std::string b = core::rod_name(pair.b);
   if (pair.linking_number == 0)
     return "Rods " + a + " and " + b +
            ": linking number 0, but one lies within the other or goes through it, or others hold "
@@ -62,7 +62,7 @@ void add_threading(Book& book, const Sheet& sheet) {
   std::vector<std::string> words;
   for (std::size_t r = 0; r < sheet.list.rods.size(); ++r)
     if (sheet.threading.knotted[r]) {
-      const std::string name = fabricate::rod_name(static_cast<int>(r));
+      const std::string name = core::rod_name(static_cast<int>(r));
       words.push_back("Rod " + name + " is a knot: lay it as drawn before its ends are joined.");
     }
   for (const fabricate::ThreadedPair& pair : sheet.threading.pairs)
@@ -89,7 +89,7 @@ void add_rods(Book& book, const Sheet& sheet) {
   for (std::size_t r = 0; r < sheet.list.rods.size(); ++r) {
     const fabricate::RodCut& rod = sheet.list.rods[r];
     const der::Rod& model_rod = sheet.design.structure.rods[r];
-    book.heading("Rod " + fabricate::rod_name(static_cast<int>(r)) +
+    book.heading("Rod " + core::rod_name(static_cast<int>(r)) +
                  (rod.closed ? ", closed" : ", open"));
     book.paragraph(joint_words(rod, sheet.list.allowances.joint));
     if (rod.closed) book.paragraph(twist_words(model_rod));

@@ -1,4 +1,5 @@
 // Where the structure is held in space, and what hangs on it.
+#include <tencer/core/names.hpp>
 #include <tencer/fabricate/names.hpp>
 #include <tencer/model/units.hpp>
 
@@ -9,7 +10,7 @@
 namespace tencer::app {
 namespace {
 
-using fabricate::rod_name;
+using core::rod_name;
 using fabricate::tenths;
 
 // Cables that end at the anchor.
@@ -18,7 +19,7 @@ std::string cables_at(const Sheet& sheet, int anchor) {
   for (std::size_t c = 0; c < sheet.list.cables.size(); ++c)
     for (const springs::End& end : {sheet.list.cables[c].a, sheet.list.cables[c].b})
       if (const auto* at = std::get_if<springs::AtAnchor>(&end); at && at->anchor == anchor)
-        names += (names.empty() ? "" : ", ") + fabricate::cable_name(static_cast<int>(c));
+        names += (names.empty() ? "" : ", ") + core::cable_name(static_cast<int>(c));
   return names.empty() ? "none" : names;
 }
 
@@ -33,7 +34,7 @@ void add_anchors(Book& book, const Sheet& sheet) {
   book.heading("Anchors");
   std::vector<Cells> rows;
   for (int a = 0; a < anchors.cols(); ++a) {
-    rows.push_back(with_place({fabricate::anchor_name(a)}, anchors.col(a)));
+    rows.push_back(with_place({core::anchor_name(a)}, anchors.col(a)));
     rows.back().push_back(cables_at(sheet, a));
   }
   book.table({{"", Align::left, true}, {"x mm"}, {"y mm"}, {"z mm"}, {"cables", Align::left}},

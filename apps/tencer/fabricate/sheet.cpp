@@ -1,7 +1,7 @@
 #include "fabricate/sheet.hpp"
 
 #include <algorithm>
-#include <tencer/fabricate/names.hpp>
+#include <tencer/core/names.hpp>
 #include <tencer/fabricate/tying_order.hpp>
 
 #include "fabricate/strips.hpp"
@@ -32,6 +32,8 @@ Contents draw(const Sheet& sheet, const Contents& known, std::string* pdf) {
   return book.contents();
 }
 
+std::string strip_name(int rod) { return "strip-" + core::rod_name(rod) + ".svg"; }
+
 }  // namespace
 
 core::Expected<Sheet> make_sheet(const io::CheckedDesign& read, const SheetOptions& options) {
@@ -56,15 +58,10 @@ core::Expected<Sheet> make_sheet(const io::CheckedDesign& read, const SheetOptio
 }
 
 std::vector<std::string> not_looked_at(const Sheet& sheet) {
-  std::vector<std::string> sections{"stands", "forgives", "comes back", "holds",
-                                    "weight", "clear",    "converged"};
-  std::erase_if(sections, [&](const std::string& section) {
-    // The search certifies its design without a check.
-    if (section == "stands" && sheet.design.certificate && sheet.design.certificate->stable)
-      return true;
-    return sheet.check &&
-           std::ranges::count(sheet.check->lines, section, &model::CheckLine::section) > 0;
-  });
+  auto sections =
+      model::not_looked_at(sheet.check ? sheet.check->lines : std::vector<model::CheckLine>{});
+  // The search certifies its design without a check.
+  if (sheet.design.certificate && sheet.design.certificate->stable) std::erase(sections, "stands");
   return sections;
 }
 
@@ -80,8 +77,22 @@ std::vector<io::NamedText> sheet_files(const Sheet& sheet) {
   std::vector<io::NamedText> files{{"sheet.pdf", sheet_pdf(sheet)}};
   for (io::NamedText& table : sheet_tables(sheet)) files.push_back(std::move(table));
   for (int r = 0; r < sheet.solid.rods; ++r)
-    files.push_back({"strip-" + fabricate::rod_name(r) + ".svg", strip_svg(sheet.list, r)});
+    files.push_back({strip_name(r), strip_svg(sheet.list, r)});
   return files;
+}
+
+std::optional<core::Error> write_sheet(const std::filesystem::path& folder, const Sheet& sheet) {
+  if (auto error = io::write_files(folder, sheet_files(sheet))) return error;
+  std::error_code failed;
+  for (int r = sheet.solid.rods;; ++r) {
+    const std::filesystem::path strip = folder / strip_name(r);
+    if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(strip, failed)))
+      return std::nullopt;
+    if (!std::filesystem::remove(strip, failed))
+      return core::Error{
+          strip.string(),
+          "is of a sheet that was here before, and cannot be removed: " + failed.message()};
+  }
 }
 
 }  // namespace tencer::app

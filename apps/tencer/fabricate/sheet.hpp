@@ -50,6 +50,10 @@ std::vector<std::string> not_looked_at(const Sheet& sheet);
 // sheet.pdf, the tables as CSV, and a strip-NAME.svg for each rod.
 std::vector<io::NamedText> sheet_files(const Sheet& sheet);
 
+// Writes these files, and removes the strips of further rods that a sheet in this folder had
+// before.
+std::optional<core::Error> write_sheet(const std::filesystem::path& folder, const Sheet& sheet);
+
 // The parts of the PDF, one after the other.
 std::string sheet_pdf(const Sheet& sheet);
 void add_cover(Book& book, const Sheet& sheet);

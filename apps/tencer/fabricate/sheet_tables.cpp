@@ -1,6 +1,6 @@
 // The sheet's tables as CSV: every row names its design, every number its unit.
 #include <array>
-#include <tencer/fabricate/names.hpp>
+#include <tencer/core/names.hpp>
 #include <tencer/io/csv.hpp>
 
 #include "fabricate/sheet.hpp"
@@ -8,8 +8,8 @@
 namespace tencer::app {
 namespace {
 
-using fabricate::cable_name;
-using fabricate::rod_name;
+using core::cable_name;
+using core::rod_name;
 using io::CsvRow;
 using io::to_text;
 
@@ -48,7 +48,7 @@ std::string marks_table(const Sheet& sheet) {
 // The rod or anchor, and the place on the rod.
 std::array<std::string, 2> end_cells(const springs::End& end) {
   if (const auto* anchor = std::get_if<springs::AtAnchor>(&end))
-    return {fabricate::anchor_name(anchor->anchor), ""};
+    return {core::anchor_name(anchor->anchor), ""};
   const auto& on = std::get<springs::OnRod>(end);
   return {rod_name(on.rod), to_text(on.s)};
 }
@@ -75,7 +75,7 @@ std::string anchors_table(const Sheet& sheet) {
   std::vector<CsvRow> rows;
   const Eigen::Matrix3Xd& anchors = sheet.solid.anchors;
   for (int a = 0; a < anchors.cols(); ++a)
-    rows.push_back({sheet.title, fabricate::anchor_name(a), to_text(anchors(0, a)),
+    rows.push_back({sheet.title, core::anchor_name(a), to_text(anchors(0, a)),
                     to_text(anchors(1, a)), to_text(anchors(2, a))});
   return table({"design", "anchor", "x_mm", "y_mm", "z_mm"}, rows);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tencer/core/names.hpp>
 #include <tencer/core/words.hpp>
 #include <tencer/fabricate/names.hpp>
 
@@ -38,7 +39,7 @@ std::vector<Place> places_of(const RodCut& rod) {
   constexpr double same = 0.05;
   std::vector<Place> places;
   for (const model::Mark& mark : rod.marks) {
-    const std::string name = fabricate::cable_name(mark.cable);
+    const std::string name = core::cable_name(mark.cable);
     if (!places.empty() && mark.s - places.back().s < same)
       places.back().words += ", " + name;
     else
@@ -120,7 +121,7 @@ std::string strip_svg(const fabricate::CutList& list, int rod) {
   const RodCut& cut = list.rods[rod];
   return svg_drawing(cut.cut + 2 * margin, height + 2 * margin, [&](Canvas& canvas) {
     canvas.text(margin, margin - 3,
-                "rod " + fabricate::rod_name(rod) + ", " + tenths(cut.length) + " mm, 1 : 1",
+                "rod " + core::rod_name(rod) + ", " + tenths(cut.length) + " mm, 1 : 1",
                 {3, false, soft_ink});
     draw_strip(canvas, {0, cut.cut, margin, margin}, cut, places_of(cut));
   });
@@ -156,7 +157,7 @@ void add_strips(Book& book, const fabricate::CutList& list) {
                       .to = last ? rod.cut : (i + 1) * step + overlap,
                       .x = book.left(),
                       .y = book.y() + 5};
-      const std::string name = fabricate::rod_name(static_cast<int>(r));
+      const std::string name = core::rod_name(static_cast<int>(r));
       book.canvas().text(book.left(), book.y() + 3.8,
                          "rod " + name + "  ·  strip " + std::to_string(i + 1) + " of " +
                              std::to_string(count) + "  ·  " + tenths(part.from) + " to " +

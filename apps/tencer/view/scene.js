@@ -1,7 +1,7 @@
 // The 3D view of the design.
 'use strict';
 (() => {
-  const { design, byId, element, rodName, anchorName, tension, description, rows } = page;
+  const { design, byId, element, rodInWords, anchorName, tension, description, rows } = page;
   const stage = byId('stage');
   let renderer;
   try {
@@ -154,7 +154,7 @@
   const cableLabels = cables.map((cable, i) => label(String(i + 1), cable.middle, ''));
   design.anchors.forEach((p, i) => label(anchorName(i), vector(p), 'anchor'));
   if (design.rods.length > 1)
-    design.rods.forEach((rod, i) => label(`rod ${rodName(i)}`, vector(rod.pose[0]), 'rod'));
+    design.rods.forEach((rod, i) => label(rodInWords(i), vector(rod.pose[0]), 'rod'));
 
   const direction = new THREE.Vector3(0.3, -0.75, 0.85).normalize();
   function fit(width, height) {

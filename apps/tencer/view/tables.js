@@ -20,12 +20,18 @@ const page = (() => {
       : value.toLocaleString('en', { maximumSignificantDigits: digits, useGrouping: false });
   const tension = (value) => significant(value, 3);
 
-  // Rods by letter, so that they are not taken for the cables' numbers.
+  // Names as tencer/core/names.hpp has them: rods by letter, so that they are not taken for the
+  // cables' numbers; the only one needs none.
+  const only = design.rods.length === 1;
   const rodName = (rod) =>
     (rod >= 26 ? rodName(Math.floor(rod / 26) - 1) : '') + String.fromCharCode(65 + rod % 26);
   const anchorName = (anchor) => `anchor ${anchor + 1}`;
+  const rodInWords = (rod) => only ? 'the rod' : `rod ${rodName(rod)}`;
+  const cableInWords = (cable) => `cable ${cable + 1}`;
+  const placeInWords = (rod, s) =>
+    only ? `${length(s)} along the rod` : `${rodName(rod)} at ${length(s)}`;
   const endName = (end) =>
-    end.anchor === undefined ? `rod ${rodName(end.rod)} at ${length(end.s)}` : anchorName(end.anchor);
+    end.anchor === undefined ? placeInWords(end.rod, end.s) : anchorName(end.anchor);
 
   function facts() {
     const title = design.name || 'tencer design';
@@ -47,7 +53,8 @@ const page = (() => {
     };
     add('cables', design.cables.length);
     add('rods', design.rods.map((rod) => rod.rest_lengths.reduce((a, b) => a + b, 0))
-      .map((sum, i) => `${rodName(i)}: ${length(sum)} ${design.length_unit}`).join(', '));
+      .map((sum, i) => `${only ? '' : `${rodName(i)}: `}${length(sum)} ${design.length_unit}`)
+      .join(', '));
     if (design.error) {
       add('largest error', `${significant(design.error.max_percent, 3)} %`);
       add('rms error', `${significant(design.error.rms_percent, 3)} %`);
@@ -69,14 +76,13 @@ const page = (() => {
     const add = (section, text, className) =>
       list.append(element('dt', section, className), element('dd', text));
     const found = design.check ? design.check.lines : [];
-    const sections = ['stands', 'forgives', 'comes back', 'holds', 'weight', 'clear', 'converged'];
     const told = ['repair', 'weight']; // for people to judge
     found.forEach((line) =>
       add(line.section, line.text, line.fails ? 'bad' : told.includes(line.section) ? '' : 'good'));
     // Whether it stands is among the facts anyway.
-    const missing = sections.filter((name) => !found.some((line) => line.section === name) &&
-      !(name === 'stands' && design.certificate));
-    if (missing.length) add(missing.join(', '), 'not looked at; tencer check does');
+    const missing = (design.check ? design.check.not_looked_at : ['whether it can be built'])
+      .filter((name) => name !== 'stands' || !design.certificate);
+    if (missing.length) add('not checked', `${missing.join(', ')}: run tencer check`);
     (design.check ? design.check.fails : []).forEach((fail) => add('fails', fail, 'bad'));
   }
 
@@ -129,13 +135,13 @@ const page = (() => {
         ends.map(([end, other, i]) => [length(end.s), i + 1, endName(other)]), [2]);
       const scroll = element('div', undefined, 'scroll');
       scroll.append(result);
-      byId('marks').append(element('h2', `Marks on rod ${rodName(r)}`), scroll);
+      byId('marks').append(element('h2', `Marks on ${rodInWords(r)}`), scroll);
     });
   }
 
   function description(i) {
     const cable = design.cables[i];
-    return [`cable ${i + 1}`, `from ${endName(cable.a)}`, `to ${endName(cable.b)}`,
+    return [cableInWords(i), `from ${endName(cable.a)}`, `to ${endName(cable.b)}`,
       `length ${length(cable.length)} ${design.length_unit}`,
       `tension ${tension(cable.tension)} ${design.force_unit}`];
   }
@@ -144,5 +150,5 @@ const page = (() => {
   check();
   const rows = cutList();
   marks();
-  return { design, byId, element, rodName, anchorName, tension, description, rows };
+  return { design, byId, element, rodInWords, anchorName, tension, description, rows };
 })();

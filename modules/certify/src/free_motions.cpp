@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 #include <tencer/certify/free_motions.hpp>
+#include <tencer/core/names.hpp>
 #include <tencer/equilibrium/rigid_modes.hpp>
 
 namespace tencer::certify {
@@ -133,12 +134,8 @@ std::vector<FreeGroup> free_groups(const model::Structure& structure, const mode
   return groups;
 }
 
-std::string describe(const FreeGroup& group) {
-  std::string text = group.rods.size() == 1 ? "rod " : "rods ";
-  for (std::size_t i = 0; i < group.rods.size(); ++i) {
-    if (i > 0) text += i + 1 == group.rods.size() ? " and " : ", ";
-    text += std::to_string(group.rods[i]);
-  }
+std::string describe(const FreeGroup& group, std::size_t rods) {
+  std::string text = core::rods_in_words(group.rods, rods);
   const bool one = group.rods.size() == 1;
   if (!group.held) return text + (one ? " moves freely" : " move freely");
   for (std::size_t i = 0; i < group.motions.size(); ++i) {

@@ -1,25 +1,16 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <tencer/core/error.hpp>
+#include <tencer/core/names.hpp>
 #include <tencer/fabricate/names.hpp>
 
 namespace tencer::fabricate {
 
-std::string rod_name(int rod) {
-  core::require(rod >= 0, "rod_name: a rod's index is not negative");
-  const std::string last(1, static_cast<char>('A' + rod % 26));
-  return rod < 26 ? last : rod_name(rod / 26 - 1) + last;
-}
-
-std::string cable_name(int cable) { return std::to_string(cable + 1); }
-
-std::string anchor_name(int anchor) { return "anchor " + std::to_string(anchor + 1); }
-
 std::string end_name(const springs::End& end) {
-  if (const auto* anchor = std::get_if<springs::AtAnchor>(&end)) return anchor_name(anchor->anchor);
+  if (const auto* anchor = std::get_if<springs::AtAnchor>(&end))
+    return core::anchor_name(anchor->anchor);
   const auto& on = std::get<springs::OnRod>(end);
-  return rod_name(on.rod) + ' ' + tenths(on.s);
+  return core::rod_name(on.rod) + ' ' + tenths(on.s);
 }
 
 std::string tenths(double mm) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <tencer/core/names.hpp>
 #include <tencer/fabricate/names.hpp>
 #include <tencer/fabricate/purchase.hpp>
 
@@ -45,7 +46,7 @@ core::Expected<Purchase> buy_cables(const CutList& list, const Offer& offer) {
   Purchase purchase;
   for (std::size_t c = 0; c < list.cables.size(); ++c) {
     const double cut = list.cables[c].cut;
-    const auto name = "cable " + cable_name(static_cast<int>(c));
+    const auto name = core::cable_in_words(static_cast<int>(c));
     if (offer.stock && cut > *offer.stock)
       return core::Error{"", name + " is cut to " + tenths(cut) + " mm, longer than a coil of " +
                                  tenths(*offer.stock) + " mm"};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tencer/core/names.hpp>
 #include <tencer/ground_structure/problem_symmetry.hpp>
 #include <tuple>
 #include <utility>
@@ -44,7 +45,7 @@ class Constraints {
   }
 
  private:
-  static std::string rod_name(std::size_t rod) { return "rod " + std::to_string(rod); }
+  std::string named(std::size_t rod) const { return core::rod_in_words(rod, rods_.size()); }
 
   bool close(int rod, double a, double b) const {
     const auto& along = rods_[rod];
@@ -61,11 +62,11 @@ class Constraints {
       const der::Rod& rod = structure_.rods[r];
       switch (der::twist_model(rod)) {
         case der::TwistModel::per_edge:
-          return "does not know the sides of " + rod_name(r) +
+          return "does not know the sides of " + named(r) +
                  ", which is not round or not straight at rest";
         case der::TwistModel::uniform:
           if (operation.matrix.determinant() < 0 && rod.closing_angle != 0.0)
-            return "would twist " + rod_name(r) + " the other way";
+            return "would twist " + named(r) + " the other way";
           break;
         case der::TwistModel::none:
           break;
@@ -92,7 +93,7 @@ class Constraints {
       });
       if (!kept)
         return "does not keep the pins: vertex " + std::to_string(at.second) + " of " +
-               rod_name(at.first) + " is pinned, but not what it becomes";
+               named(at.first) + " is pinned, but not what it becomes";
     }
     return {};
   }
@@ -108,7 +109,7 @@ class Constraints {
             return other.rod == place.rod && close(other.rod, other.s, place.s) &&
                    turned(load.force, other.force);
           }))
-        return "does not keep load " + std::to_string(i);
+        return "does not keep loads[" + std::to_string(i) + "]";
     }
     for (const auto& load : structure_.line_loads) {
       const int rod = operation.rods[load.rod].rod;
@@ -132,7 +133,7 @@ class Constraints {
         bool kept = false;
         for (const Eigen::Index k : {edge + n - 1, edge + n, edge + n + 1, edge + n + 2})
           kept = kept || equal(there[k % n], target_.weights[r][i]);
-        if (!kept) return "does not keep the weights of " + rod_name(r);
+        if (!kept) return "does not keep the weights of " + named(r);
       }
     return {};
   }
@@ -146,7 +147,7 @@ class Constraints {
             return other.rod == from.rod && close(other.rod, other.from, from.s) &&
                    close(other.rod, other.to, to.s);
           }))
-        return "brings a forbidden arc of " + rod_name(arc.rod) + " to where cables are allowed";
+        return "brings a forbidden arc of " + named(arc.rod) + " to where cables are allowed";
     }
     for (std::size_t a = 0; a < rods_.size(); ++a)
       for (std::size_t b = a; b < rods_.size(); ++b)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <tencer/core/words.hpp>
 #include <tencer/elimination/eliminate.hpp>
 #include <tencer/elimination/search.hpp>
 #include <tencer/ground_structure/dense_springs.hpp>
@@ -130,8 +131,9 @@ class Stages {
   void add(StageResult next) {
     for (const auto& row : next.trace) {
       std::ostringstream line;
-      line << row.stage << ": " << row.cables << " cables, max error " << row.max_percent << " %, "
-           << row.seconds << " s" << (row.note.empty() ? "" : "; ") << row.note;
+      line << row.stage << ": " << core::counted(row.cables, "cable") << ", max error "
+           << row.max_percent << " %, " << row.seconds << " s" << (row.note.empty() ? "" : "; ")
+           << row.note;
       if (options_.log) options_.log(core::Level::info, line.str());
       trace_.push_back(row);
     }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <tencer/core/names.hpp>
 #include <tencer/core/words.hpp>
 #include <tencer/equilibrium/system.hpp>
 #include <tencer/pipeline/omissions.hpp>
@@ -8,13 +9,6 @@ namespace {
 
 using core::counted;
 using der::TwistModel;
-
-// "rod 0", "rods 0, 2"
-std::string listed(const std::vector<int>& rods) {
-  std::string text = rods.size() == 1 ? "rod " : "rods ";
-  for (const int rod : rods) text += (rod == rods.front() ? "" : ", ") + std::to_string(rod);
-  return text;
-}
 
 // The rods of which something holds.
 template <class Holds>
@@ -35,6 +29,9 @@ Feature theta(const model::Structure& structure) {
   const auto curved = rods_where(structure, [](const der::Rod& rod) {
     return rod.section.isotropic() && der::twist_model(rod) == TwistModel::per_edge;
   });
+  const auto named = [&](const std::vector<int>& rods) {
+    return core::rods_in_words(rods, structure.rods.size());
+  };
   int angles = 0;
   for (const int rod : round) angles += structure.rods[rod].edges();
 
@@ -42,13 +39,13 @@ Feature theta(const model::Structure& structure) {
   const auto add = [&](const std::string& text) {
     feature.why += (feature.why.empty() ? "" : "; ") + text;
   };
-  if (!unequal.empty()) add("an angle an edge where the section has two axes, " + listed(unequal));
-  if (!curved.empty()) add("an angle an edge where the rod is curved at rest, " + listed(curved));
+  if (!unequal.empty()) add("an angle an edge where the section has two axes: " + named(unequal));
+  if (!curved.empty()) add("an angle an edge where the rod is curved at rest: " + named(curved));
   if (!round.empty())
-    add((feature.used ? listed(round) + " without: " : "every rod is ") +
+    add((feature.used ? named(round) + " without: " : "every rod is ") +
         std::string("straight at rest and round, ") + counted(angles, "angle") + " fewer");
   if (!uniform.empty())
-    add("one twisting moment where the closing angle is given, " + listed(uniform));
+    add("one twisting moment where the closing angle is given: " + named(uniform));
   return feature;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <tencer/core/names.hpp>
 #include <tencer/equilibrium/frames.hpp>
 #include <tencer/equilibrium/rigid_modes.hpp>
 #include <tencer/ground_structure/candidates.hpp>
@@ -48,7 +49,8 @@ std::optional<core::Error> check_anchors(const model::Scene& scene) {
       message << "these " << structure.anchors.cols() << " enclose nothing; give at least "
               << (structure.planar ? "3 that are not on a line" : "4 that are not in a plane");
     else
-      message << "vertex " << outside.point << " of rod " << r << " is " << outside.distance << ' '
+      message << "vertex " << outside.point << " of "
+              << core::rod_in_words(r, structure.rods.size()) << " is " << outside.distance << ' '
               << scene.length_unit << " outside";
     return core::Error{scene.source, message.str()};
   }
@@ -78,8 +80,9 @@ std::optional<core::Error> check_hand_over(const model::Scene& scene) {
     std::ostringstream message;
     message << "design.hand_over: the anchors "
             << (std::isfinite(max_length) ? "that the longest cable reaches " : "")
-            << "must surround every pinned vertex, but vertex " << pin.vertex << " of rod "
-            << pin.rod << " is not between them; a frame, such as {shape = \"cube\"}, is about "
+            << "must surround every pinned vertex, but vertex " << pin.vertex << " of "
+            << core::rod_in_words(pin.rod, structure.rods.size())
+            << " is not between them; a frame, such as {shape = \"cube\"}, is about "
             << "all rods";
     return core::Error{scene.source, message.str()};
   }
@@ -144,9 +147,10 @@ std::optional<core::Error> check_edges(const model::Scene& scene) {
     if (ratio <= most) continue;
     std::ostringstream message;
     message.precision(3);
-    message << "rod " << r << " has edges too uneven: from vertex " << shortest << " it is "
-            << lengths[shortest] << ' ' << scene.length_unit << " to the next and from vertex "
-            << longest << ' ' << lengths[longest] << ' ' << scene.length_unit << ", 1 : " << ratio
+    message << core::rod_in_words(r, scene.structure.rods.size())
+            << " has edges too uneven: from vertex " << shortest << " it is " << lengths[shortest]
+            << ' ' << scene.length_unit << " to the next and from vertex " << longest << ' '
+            << lengths[longest] << ' ' << scene.length_unit << ", 1 : " << ratio
             << " where 1 : 1000 is allowed; space the points more evenly (in a scene vertices = "
             << std::max<Eigen::Index>(100, lengths.size()) << " does so along the curve)";
     return core::Error{scene.source, message.str()};

@@ -1,6 +1,7 @@
 #include "strength.hpp"
 
 #include <sstream>
+#include <tencer/core/names.hpp>
 #include <tencer/model/strain.hpp>
 
 namespace tencer::pipeline {
@@ -25,9 +26,10 @@ std::optional<core::Error> check_bends(const model::Scene& scene, const model::S
     if (!strains[r] || strains[r]->strain < 1) continue;
     std::ostringstream text;
     text.precision(3);
-    text << "rod " << r << " is thicker than its bends are wide: at arc length " << strains[r]->s
-         << ' ' << scene.length_unit << " the curve has a radius of " << 1 / strains[r]->curvature
-         << ' ' << scene.length_unit
+    text << core::rod_in_words(r, structure.rods.size())
+         << " is thicker than its bends are wide: at arc length " << strains[r]->s << ' '
+         << scene.length_unit << " the curve has a radius of " << 1 / strains[r]->curvature << ' '
+         << scene.length_unit
          << ", less than the rod's own; make the rod thinner, or check length_unit";
     return core::Error{scene.source, text.str()};
   }

@@ -2,6 +2,7 @@
 
 #include <sstream>
 #include <tencer/certify/closest.hpp>
+#include <tencer/core/names.hpp>
 #include <tencer/model/clearance.hpp>
 
 #include "strength.hpp"
@@ -9,18 +10,17 @@
 namespace tencer::pipeline {
 namespace {
 
-std::string touching(const certify::RodsApart& apart, double needed, double unit,
+std::string touching(const certify::RodsApart& apart, std::size_t rods, double needed, double unit,
                      const std::string& length_unit) {
   std::ostringstream text;
-  text.precision(4);
-  if (apart.rod_a == apart.rod_b)
-    text << "rod " << apart.rod_a << " goes through itself: ";
-  else
-    text << "rods " << apart.rod_a << " and " << apart.rod_b << " go through each other: ";
-  text << "arc length " << apart.s_a * unit << ' ' << length_unit << " of rod " << apart.rod_a
-       << " and arc length " << apart.s_b * unit << ' ' << length_unit << " of rod " << apart.rod_b
-       << " are ";
   text.precision(3);
+  if (apart.rod_a == apart.rod_b)
+    text << core::rod_in_words(apart.rod_a, rods) << " goes through itself: ";
+  else
+    text << core::rods_in_words({apart.rod_a, apart.rod_b}, rods) << " go through each other: ";
+  text << core::places_in_words({{apart.rod_a, apart.s_a * unit}, {apart.rod_b, apart.s_b * unit}},
+                                rods, length_unit)
+       << " are ";
   text << (needed + apart.distance) * unit << ' ' << length_unit
        << " apart, axis to axis, where as thick as they are they need " << needed * unit << ' '
        << length_unit << "; move the curves apart there, or make the rods thinner";
@@ -36,8 +36,8 @@ std::vector<std::string> target_warnings(const model::Scene& scene,
   const auto radii = model::outer_radii(structure);
   for (const certify::RodsApart& apart : certify::closest_rods(structure, start))
     if (apart.distance < 0)
-      warnings.push_back(
-          touching(apart, radii[apart.rod_a] + radii[apart.rod_b], unit, scene.length_unit));
+      warnings.push_back(touching(apart, radii.size(), radii[apart.rod_a] + radii[apart.rod_b],
+                                  unit, scene.length_unit));
   return warnings;
 }
 

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <sstream>
 #include <tencer/core/error.hpp>
+#include <tencer/core/names.hpp>
 #include <tencer/springs/cable.hpp>
 
 namespace tencer::springs {
@@ -47,9 +48,9 @@ std::string describe(const Cable& cable) {
   std::ostringstream text;
   const auto add = [&](const End& end) {
     if (const auto* anchor = std::get_if<AtAnchor>(&end))
-      text << "anchor " << anchor->anchor;
+      text << core::anchor_name(anchor->anchor);
     else
-      text << "rod " << std::get<OnRod>(end).rod << " at " << std::get<OnRod>(end).s;
+      text << core::rod_name(std::get<OnRod>(end).rod) << " at " << std::get<OnRod>(end).s;
   };
   add(cable.a);
   text << " - ";

@@ -86,7 +86,8 @@ Json to_json(const Holds& holds) {
 
 Json to_json(const Sag& sag) {
   Json at = Json::array();
-  for (const auto& [rod, vertex] : sag.at) at.push_back({{"rod", rod}, {"vertex", vertex}});
+  for (const auto& [rod, vertex, s] : sag.at)
+    at.push_back({{"rod", rod}, {"vertex", vertex}, {"s", s}});
   return {{"deviation", sag.deviation}, {"at", at}, {"settled", sag.settled}, {"falls", sag.falls}};
 }
 
@@ -122,12 +123,17 @@ Json to_json(const Converged& converged) {
 }
 
 Json to_json(const Check& check, const Design& design) {
-  const std::vector<std::string> fails = shortfalls(check, {design.length_unit, design.force_unit});
+  const CheckTerms terms = terms_of(design);
+  const std::vector<std::string> fails = shortfalls(check, terms);
+  const std::vector<CheckLine> said = sections(check, terms);
+  const std::vector<std::string> missing = not_looked_at(said);
   Json result;
-  result["passed"] = fails.empty();
+  // Nobody takes a part that fails nothing for a check that is passed.
+  result["passed"] = fails.empty() && !missing.empty() ? Json(nullptr) : Json(fails.empty());
   result["fails"] = fails;
+  result["not_looked_at"] = missing;
   Json lines = Json::array();
-  for (const CheckLine& line : sections(check, {design.length_unit, design.force_unit}))
+  for (const CheckLine& line : said)
     lines.push_back({{"section", line.section}, {"text", line.text}, {"fails", line.fails}});
   result["lines"] = lines;
   result["length_unit"] = design.length_unit;
@@ -147,7 +153,9 @@ Json to_json(const Check& check, const Design& design) {
 }
 
 FiledCheck filed_check(const JsonValue& json) {
-  FiledCheck check{.passed = json["passed"].boolean()};
+  FiledCheck check;
+  if (const JsonValue passed = json["passed"]; !passed.raw().is_null())
+    check.passed = passed.boolean();
   for (const JsonValue& reason : json["fails"].items()) check.fails.push_back(reason.text());
   for (const JsonValue& line : json["lines"].items())
     check.lines.push_back({line["section"].text(), line["text"].text(), line["fails"].boolean()});

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <tencer/core/names.hpp>
 #include <tencer/geometry/frame.hpp>
 #include <tencer/geometry/measure.hpp>
 #include <tencer/geometry/sampling.hpp>
@@ -328,15 +329,17 @@ void check_plane(const Scene& scene, const std::string& where) {
   for (std::size_t r = 0; r < curves.size(); ++r)
     for (int i = 0; i < curves[r].vertices(); ++i)
       if (std::abs(curves[r].points(2, i) - z) > tolerance)
-        fail(where, "planar: all z coordinates must be the same, but vertex 0 of rod 0 has z = " +
-                        to_text(z) + " and vertex " + std::to_string(i) + " of rod " +
-                        std::to_string(r) + " has z = " + to_text(curves[r].points(2, i)));
+        fail(where, "planar: all z coordinates must be the same, but vertex 0 of " +
+                        core::rod_in_words(0, curves.size()) + " has z = " + to_text(z) +
+                        " and vertex " + std::to_string(i) + " of " +
+                        core::rod_in_words(r, curves.size()) +
+                        " has z = " + to_text(curves[r].points(2, i)));
   const Eigen::Matrix3Xd& anchors = scene.structure.anchors;
   for (Eigen::Index i = 0; i < anchors.cols(); ++i)
     if (std::abs(anchors(2, i) - z) > tolerance)
       fail(where,
            "planar: all z coordinates must be the same, but the rods have z = " + to_text(z) +
-               " and anchor " + std::to_string(i) + " has z = " + to_text(anchors(2, i)));
+               " and anchors[" + std::to_string(i) + "] has z = " + to_text(anchors(2, i)));
 }
 
 Scene read_root(const TomlTable& root, const std::filesystem::path& path,

@@ -3,10 +3,12 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <tencer/core/names.hpp>
 #include <tencer/core/words.hpp>
 #include <tencer/model/certificate.hpp>
 #include <tencer/model/check.hpp>
 #include <tencer/model/units.hpp>
+#include <utility>
 
 namespace tencer::model {
 namespace {
@@ -16,12 +18,19 @@ using core::counted;
 // Lengths in mm, forces in N, three digits.
 class Words {
  public:
-  explicit Words(const CheckUnits& units)
-      : mm_(1000 * metres(units.length)), newtons_(model::newtons(units.force)) {}
+  explicit Words(const CheckTerms& terms)
+      : mm_(1000 * metres(terms.length_unit)),
+        newtons_(model::newtons(terms.force_unit)),
+        rods_(terms.rods) {}
 
   std::string mm(double length) const { return number(length * mm_) + " mm"; }
   std::string newtons(double force) const { return number(force * newtons_) + " N"; }
   std::string joules(double energy) const { return number(energy * newtons_ * mm_ / 1000) + " J"; }
+  std::string rod(int rod) const { return core::rod_in_words(rod, rods_); }
+  std::string places(std::vector<core::Place> places) const {
+    for (core::Place& place : places) place.s *= mm_;
+    return core::places_in_words(places, rods_, "mm");
+  }
   static std::string percent(double fraction) { return number(100 * fraction) + " %"; }
   static std::string number(double value) {
     std::ostringstream text;
@@ -32,6 +41,7 @@ class Words {
  private:
   double mm_;
   double newtons_;
+  std::size_t rods_;
 };
 
 using Reasons = std::vector<std::string>;
@@ -78,7 +88,8 @@ void add_shortfalls(const Forgives& forgives, const Words& words, Reasons& reaso
          reasons);
   add_if(forgives.fallen > 0,
          "forgives: " + std::to_string(forgives.fallen) + " of " +
-             std::to_string(forgives.settled) + " fall to another pose" +
+             std::to_string(forgives.settled) + (forgives.fallen == 1 ? " falls" : " fall") +
+             " to another pose" +
              (forgives.falls_at
                   ? ", the first with " + errors_words(forgives, *forgives.falls_at, words) +
                         larger_words(forgives)
@@ -90,18 +101,17 @@ void add_shortfalls(const ComesBack& comes_back, const Words& words, Reasons& re
   for (const Pushes& pushes : comes_back.pushes)
     add_if(pushes.back < pushes.tried,
            "comes back: pushed by " + words.mm(pushes.size) + " it comes back " +
-               std::to_string(pushes.back) + " times of " + std::to_string(pushes.tried),
+               counted(pushes.back, "time") + " of " + std::to_string(pushes.tried),
            reasons);
 }
 
 void add_shortfalls(const Holds& holds, const Words& words, Reasons& reasons) {
   add_if(holds.rod >= 0 && holds.strain > holds.strain_limit,
-         "holds: rod " + std::to_string(holds.rod) + " is strained by " +
-             Words::percent(holds.strain) + ", " + holds.material + " bears " +
-             Words::percent(holds.strain_limit) + " for long",
+         "holds: " + words.rod(holds.rod) + " is strained by " + Words::percent(holds.strain) +
+             ", " + holds.material + " bears " + Words::percent(holds.strain_limit) + " for long",
          reasons);
   add_if(holds.cable >= 0 && holds.tension > holds.breaking_load,
-         "holds: cable " + std::to_string(holds.cable) + " pulls with " +
+         "holds: " + core::cable_in_words(holds.cable) + " pulls with " +
              words.newtons(holds.tension) + " and breaks at " + words.newtons(holds.breaking_load),
          reasons);
 }
@@ -125,10 +135,11 @@ std::string line(const Repair& repair, const Words& words) {
   if (repair.cables == 0) return "repair: none needed, nothing moves at no cost";
   const int last = repair.first_cable + repair.cables - 1;
   return "repair: " + counted(repair.cables, "cable") + " added (" +
-         std::to_string(repair.first_cable) +
-         (repair.cables > 1 ? " to " + std::to_string(last) : std::string()) + "), pulling with " +
-         words.newtons(repair.least_tension) + " to " + words.newtons(repair.most_tension) +
-         "; with them the pose moves by " + words.mm(repair.moved);
+         core::cable_name(repair.first_cable) +
+         (repair.cables > 1 ? " to " + core::cable_name(last) : std::string()) +
+         "), pulling with " + words.newtons(repair.least_tension) + " to " +
+         words.newtons(repair.most_tension) + "; with them the pose moves by " +
+         words.mm(repair.moved);
 }
 
 std::string line(const Stands& stands, const Words& words) {
@@ -150,15 +161,16 @@ std::string line(const Forgives& forgives, const Words& words) {
                      words.mm(forgives.expected) + ", worst " + words.mm(forgives.worst) + " of " +
                      std::to_string(forgives.draws) + " draws to first order";
   if (forgives.decisive_cable >= 0)
-    text += "; cable " + std::to_string(forgives.decisive_cable) + " matters most (" +
+    text += "; " + core::cable_in_words(forgives.decisive_cable) + " matters most (" +
             words.mm(forgives.decisive) + ")";
   if (forgives.first_slack >= 0)
-    text += "; cable " + std::to_string(forgives.first_slack) +
+    text += "; " + core::cable_in_words(forgives.first_slack) +
             " goes slack first (errors all at their worst: " +
             errors_words(forgives, forgives.slack_at, words) + ")";
   if (forgives.settled == 0) return text;
   text += "; " + std::to_string(forgives.settled) + " let settle: worst " +
-          words.mm(forgives.settled_worst) + ", " + std::to_string(forgives.fallen) + " fall; ";
+          words.mm(forgives.settled_worst) + ", " + std::to_string(forgives.fallen) +
+          (forgives.fallen == 1 ? " falls; " : " fall; ");
   if (forgives.falls_up_to == 0) return text + "their paths cannot be followed";
   return text + (forgives.falls_at
                      ? "the first falls with " + errors_words(forgives, *forgives.falls_at, words)
@@ -171,7 +183,9 @@ std::string line(const ComesBack& comes_back, const Words& words) {
   for (const Pushes& pushes : comes_back.pushes) {
     text += separator + std::to_string(pushes.back) + " of " + std::to_string(pushes.tried) +
             " pushes by " + words.mm(pushes.size);
-    if (pushes.lost > 0) text += " (" + std::to_string(pushes.lost) + " come to no rest)";
+    if (pushes.lost > 0)
+      text += " (" + std::to_string(pushes.lost) +
+              (pushes.lost == 1 ? " comes to no rest)" : " come to no rest)");
     if (pushes.strands_met > 0)
       text += " (" + std::to_string(pushes.strands_met) +
               " of them where strands may have passed through each other)";
@@ -182,24 +196,24 @@ std::string line(const ComesBack& comes_back, const Words& words) {
     const OtherPose& other = comes_back.others[i];
     text += "; another pose " + words.mm(other.distance) + " away, " +
             words.joules(std::abs(other.energy)) + (other.energy < 0 ? " lower" : " higher") +
-            ", " + std::to_string(other.times) + " times";
+            ", " + counted(other.times, "time");
   }
   if (comes_back.others.size() > most)
-    text += "; " + std::to_string(comes_back.others.size() - most) + " other poses more";
+    text += "; and " + counted(static_cast<int>(comes_back.others.size() - most), "other pose");
   return text;
 }
 
 std::string line(const Holds& holds, const Words& words) {
   std::string text = "holds: ";
   if (holds.rod >= 0)
-    text += "largest strain " + Words::percent(holds.strain) + " (rod " +
-            std::to_string(holds.rod) + " at " + words.mm(holds.s) + "; " + holds.material +
-            " bears " + Words::percent(holds.strain_limit) + " for long)";
+    text += "largest strain " + Words::percent(holds.strain) + " (" +
+            words.places({{holds.rod, holds.s}}) + "; " + holds.material + " bears " +
+            Words::percent(holds.strain_limit) + " for long)";
   else
     text += "strain not known, for the file gives no shape of sections";
   if (holds.cable >= 0)
-    text += "; largest tension " + words.newtons(holds.tension) + " (cable " +
-            std::to_string(holds.cable) + "), " +
+    text += "; largest tension " + words.newtons(holds.tension) + " (" +
+            core::cable_in_words(holds.cable) + "), " +
             Words::percent(holds.tension / holds.breaking_load) + " of the breaking load " +
             words.newtons(holds.breaking_load);
   return text;
@@ -212,12 +226,10 @@ std::string sag_words(const Sag& sag, const Words& words) {
   return text;
 }
 
-std::string place_words(const Sag& sag) {
-  std::string text;
-  for (const auto& [rod, vertex] : sag.at)
-    text += (text.empty() ? "vertex " : ", ") + std::to_string(vertex) + " of rod " +
-            std::to_string(rod);
-  return text;
+std::string place_words(const Sag& sag, const Words& words) {
+  std::vector<core::Place> places;
+  for (const Sag::Support& support : sag.at) places.push_back({support.rod, support.s});
+  return words.places(std::move(places));
 }
 
 std::string line(const OwnWeight& weight, const Words& words) {
@@ -226,11 +238,12 @@ std::string line(const OwnWeight& weight, const Words& words) {
   text += "left out of the pose; ";
   if (!weight.hung) return text + "what it does is not known, or it swings on its supports";
   if (weight.held) return text + "as its supports hold it, it " + sag_words(*weight.hung, words);
-  text += "hung from its best place (" + place_words(*weight.hung) + ") it " +
+  text += "hung from its best place (" + place_words(*weight.hung, words) + ") it " +
           sag_words(*weight.hung, words);
-  return text + (weight.standing ? ", standing on three points (" + place_words(*weight.standing) +
-                                       ") it " + sag_words(*weight.standing, words)
-                                 : std::string(", on three points it does not stand"));
+  return text + (weight.standing
+                     ? ", standing on three points (" + place_words(*weight.standing, words) +
+                           ") it " + sag_words(*weight.standing, words)
+                     : std::string(", on three points it does not stand"));
 }
 
 std::string line(const Clear& clear, const Words& words) {
@@ -260,8 +273,8 @@ std::string line(const Converged& converged, const Words& words) {
 
 }  // namespace
 
-std::vector<std::string> shortfalls(const Check& check, const CheckUnits& units) {
-  const Words words(units);
+std::vector<std::string> shortfalls(const Check& check, const CheckTerms& terms) {
+  const Words words(terms);
   Reasons reasons;
   if (check.repair) add_shortfalls(*check.repair, words, reasons);
   if (check.stands) add_shortfalls(*check.stands, words, reasons);
@@ -273,8 +286,8 @@ std::vector<std::string> shortfalls(const Check& check, const CheckUnits& units)
   return reasons;
 }
 
-std::vector<CheckLine> sections(const Check& check, const CheckUnits& units) {
-  const Words words(units);
+std::vector<CheckLine> sections(const Check& check, const CheckTerms& terms) {
+  const Words words(terms);
   std::vector<CheckLine> result;
   const auto add = [&](const auto& section) {
     if (!section) return;
@@ -295,16 +308,25 @@ std::vector<CheckLine> sections(const Check& check, const CheckUnits& units) {
   return result;
 }
 
-std::string lines(const Check& check, const CheckUnits& units) {
+std::vector<std::string> not_looked_at(const std::vector<CheckLine>& lines) {
+  std::vector<std::string> lacking{"stands", "forgives", "comes back", "holds",
+                                   "weight", "clear",    "converged"};
+  std::erase_if(lacking, [&](const std::string& section) {
+    return std::ranges::count(lines, section, &CheckLine::section) > 0;
+  });
+  return lacking;
+}
+
+std::string lines(const Check& check, const CheckTerms& terms) {
   std::string text;
-  for (const CheckLine& line : sections(check, units))
+  for (const CheckLine& line : sections(check, terms))
     text += line.section + ": " + line.text + '\n';
   return text;
 }
 
-std::string report(const Check& check, const CheckUnits& units) {
-  std::string text = lines(check, units);
-  for (const std::string& reason : shortfalls(check, units)) text += "fails: " + reason + '\n';
+std::string report(const Check& check, const CheckTerms& terms) {
+  std::string text = lines(check, terms);
+  for (const std::string& reason : shortfalls(check, terms)) text += "fails: " + reason + '\n';
   return text;
 }
 

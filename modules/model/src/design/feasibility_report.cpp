@@ -2,13 +2,11 @@
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
-#include <tencer/core/words.hpp>
+#include <tencer/core/names.hpp>
 #include <tencer/model/feasibility.hpp>
 
 namespace tencer::model {
 namespace {
-
-using core::counted;
 
 std::string percent(double value) {
   std::ostringstream text;
@@ -33,10 +31,7 @@ std::string motion(const Feasibility& feasibility) {
 std::string separation(const Feasibility& feasibility) {
   const std::vector<int>& rods = feasibility.apart;
   const bool one = rods.size() == 1;
-  std::string text = one ? "rod" : "rods";
-  for (std::size_t i = 0; i < rods.size(); ++i)
-    text += (i == 0 ? " " : i + 1 < rods.size() ? ", " : " and ") + std::to_string(rods[i]);
-  return text + (one ? " lies" : " lie") +
+  return core::rods_in_words(rods, feasibility.targets.size()) + (one ? " lies" : " lie") +
          " apart from the others: every cable between them draws " + (one ? "it" : "them") +
          " there, and no cable keeps " + (one ? "it" : "them") + " away";
 }

@@ -80,9 +80,15 @@ std::vector<std::string> shortfalls(const Design& design) {
   add(!certificate.settles_from_target.value_or(true),
       "let go at the target it comes to rest elsewhere");
   if (design.check)
-    for (std::string& reason : shortfalls(*design.check, {design.length_unit, design.force_unit}))
+    for (std::string& reason : shortfalls(*design.check, terms_of(design)))
       reasons.push_back(std::move(reason));
   return reasons;
+}
+
+CheckTerms terms_of(const Design& design) {
+  return {.length_unit = design.length_unit,
+          .force_unit = design.force_unit,
+          .rods = design.structure.rods.size()};
 }
 
 std::string summary(const Design& design) {
@@ -115,7 +121,7 @@ std::string summary(const Design& design) {
     text << (design.structure.line_loads.empty()
                  ? "weight: left out of the pose (tencer check tells what it does)\n"
                  : "weight: the pose has it, among the design's loads\n");
-  if (design.check) text << lines(*design.check, {design.length_unit, design.force_unit});
+  if (design.check) text << lines(*design.check, terms_of(design));
   return text.str();
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 #include <tencer/core/error.hpp>
+#include <tencer/core/names.hpp>
+#include <tencer/core/words.hpp>
 #include <tencer/geometry/corners.hpp>
 #include <tencer/geometry/sampling.hpp>
 #include <tencer/geometry/spline.hpp>
@@ -126,8 +128,8 @@ Scene with_enough_vertices(const Scene& scene) {
     const double part = static_cast<double>(enough_vertices(curve)) / curve.vertices();
     times.push_back(part < worthwhile ? part : 1.0);
     if (part < worthwhile)
-      note += (note.empty() ? "" : ", ") + std::string("rod ") + std::to_string(r) + " with " +
-              std::to_string(scaled_edges(curve, part)) + " edges in place of " +
+      note += (note.empty() ? "" : ", ") + core::rod_in_words(r, scene.structure.rods.size()) +
+              " with " + core::counted(scaled_edges(curve, part), "edge") + " in place of " +
               std::to_string(curve.edges());
   }
   if (note.empty()) return scene;

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <tencer/core/error.hpp>
+#include <tencer/core/names.hpp>
 #include <tencer/der/curvature.hpp>
 #include <tencer/geometry/corners.hpp>
 #include <tencer/geometry/measure.hpp>
@@ -11,13 +11,9 @@
 namespace tencer::model {
 namespace {
 
-std::string place_name(const Scene& scene, const geometry::EdgePoint& place) {
-  const Eigen::VectorXd& lengths = scene.structure.rods[place.rod].rest_lengths;
-  std::ostringstream text;
-  text.precision(4);
-  text << "arc length " << lengths.head(place.edge).sum() + place.t * lengths[place.edge] << ' '
-       << scene.length_unit << " of rod " << place.rod;
-  return text.str();
+core::Place place_of(const Scene& scene, const geometry::EdgePoint& point) {
+  const Eigen::VectorXd& lengths = scene.structure.rods[point.rod].rest_lengths;
+  return {.rod = point.rod, .s = lengths.head(point.edge).sum() + point.t * lengths[point.edge]};
 }
 
 // Rounded down.
@@ -55,8 +51,13 @@ std::optional<std::string> crossing(const Scene& scene) {
   const auto closest = geometry::closest_approach(curves);
   if (!closest || closest->distance > negligible_gap * geometry::bounding_box_diagonal(curves))
     return std::nullopt;
-  return (closest->a.rod == closest->b.rod ? "the rod crosses itself: " : "two rods cross: ") +
-         place_name(scene, closest->a) + " and " + place_name(scene, closest->b) +
+  const std::size_t rods = curves.size();
+  const std::string what = closest->a.rod == closest->b.rod
+                               ? core::rod_in_words(closest->a.rod, rods) + " crosses itself"
+                               : "two rods cross";
+  return what + ": " +
+         core::places_in_words({place_of(scene, closest->a), place_of(scene, closest->b)}, rods,
+                               scene.length_unit) +
          " are the same point; move the curves apart there";
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numbers>
 #include <sstream>
+#include <tencer/core/names.hpp>
 #include <tencer/der/curvature.hpp>
 #include <tencer/geometry/corners.hpp>
 #include <tencer/model/strain.hpp>
@@ -46,9 +47,10 @@ std::optional<std::string> corner_problem(const Structure& structure, std::size_
   const auto point = target.col(first.vertex);
   std::ostringstream text;
   text.precision(3);
-  text << "rod " << rod << " has a corner at arc length " << first.s << ' ' << length_unit << ", ("
-       << point[0] << ", " << point[1] << ", " << point[2] << "), where it turns by "
-       << first.angle * 180 / std::numbers::pi << " degrees from one edge to the next";
+  text << core::rod_in_words(rod, structure.rods.size()) << " has a corner at arc length "
+       << first.s << ' ' << length_unit << ", (" << point[0] << ", " << point[1] << ", " << point[2]
+       << "), where it turns by " << first.angle * 180 / std::numbers::pi
+       << " degrees from one edge to the next";
   if (corners.size() > 1) text << ", and " << corners.size() - 1 << " more";
   text << ": no rod follows it" << least_radius_in_words(structure, rod, length_unit)
        << "; round it, or give the curve more vertices";
@@ -63,9 +65,9 @@ std::string strain_in_words(const Structure& structure, std::size_t rod,
   const double share = material.strain_limit / largest.strain;
   std::ostringstream text;
   text.precision(3);
-  text << "rod " << rod << " is bent to a strain of " << 100 * largest.strain << " % at arc length "
-       << largest.s << ' ' << length_unit << ", where " << material.name
-       << (breaks ? " breaks at " : " holds for long ")
+  text << core::rod_in_words(rod, structure.rods.size()) << " is bent to a strain of "
+       << 100 * largest.strain << " % at arc length " << largest.s << ' ' << length_unit
+       << ", where " << material.name << (breaks ? " breaks at " : " holds for long ")
        << 100 * (breaks ? material.breaking_strain : material.strain_limit) << " %; ";
   if (const auto* circle = std::get_if<der::Circle>(&structure.rods[rod].section.shape))
     text << "a radius of " << circle->radius * share << ' ' << length_unit << " would do";
@@ -84,7 +86,7 @@ std::optional<std::string> shape_problem(const Structure& structure, std::size_t
     std::ostringstream text;
     text.precision(3);
     text
-        << "rod " << rod
+        << core::rod_in_words(rod, structure.rods.size())
         << " has a rough target: its curvature changes from one vertex to the next by more than it "
            "is large, most at arc length "
         << geometry::roughest(curve).s << ' ' << length_unit

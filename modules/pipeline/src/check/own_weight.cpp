@@ -12,7 +12,9 @@ std::optional<model::Sag> told(const certify::Sag& sag, const RestPose& pose) {
   model::Sag result{.deviation = sag.deviation * pose.scaling.scale.length,
                     .settled = sag.settled,
                     .falls = sag.falls};
-  for (const auto& [rod, vertex] : sag.at) result.at.push_back({.rod = rod, .vertex = vertex});
+  const auto along = model::arc_lengths(pose.design.structure);
+  for (const auto& [rod, vertex] : sag.at)
+    result.at.push_back({.rod = rod, .vertex = vertex, .s = along[rod].knots()[vertex]});
   return result;
 }
 

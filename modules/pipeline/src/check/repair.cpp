@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 #include <tencer/certify/free_motions.hpp>
+#include <tencer/core/names.hpp>
 #include <tencer/ground_structure/candidates.hpp>
 #include <tencer/ground_structure/feasibility.hpp>
 #include <tencer/ground_structure/force_balance.hpp>
@@ -67,10 +68,9 @@ class Ties {
                                                            problem_.start, candidates, nullptr);
     const auto found = ground_structure::separation(problem_, orbits);
     if (!found) return {};
-    std::string text = "every cable that could tie rod";
-    for (std::size_t i = 0; i < found->rods.size(); ++i)
-      text += (i > 0 ? ", " : found->rods.size() > 1 ? "s " : " ") + std::to_string(found->rods[i]);
-    return text + " to anything draws it there, and none keeps it away";
+    return "every cable that could tie " +
+           core::rods_in_words(found->rods, pose_.structure.rods.size()) +
+           " to anything draws it there, and none keeps it away";
   }
 
   // With the fewest of the candidates; good ones first. Less tension where the full one moves it

@@ -48,7 +48,7 @@ model::Stands stands(const RestPose& pose, double moved) {
                        .hertz = {modes.hertz.begin(), modes.hertz.end()}};
   for (certify::FreeGroup group : certify::free_groups(pose.structure, pose.state)) {
     for (auto& motion : group.motions) motion.point = pose.scaling.unscaled(motion.point);
-    result.free_groups.push_back(certify::describe(group));
+    result.free_groups.push_back(certify::describe(group, pose.structure.rods.size()));
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <tencer/core/names.hpp>
 #include <tencer/symmetry/detect.hpp>
 
 #include "detection/candidates.hpp"
@@ -128,13 +129,13 @@ Operation map_of_space(const model::SymmetryGenerator& generator, const Eigen::V
 
 // What is wrong with a generator that does not map the figure onto itself.
 std::string complaint(const model::SymmetryGenerator& generator, const Misfit& worst,
-                      double tolerance) {
+                      std::size_t rods, double tolerance) {
   std::ostringstream out;
   out << text(generator) << " does not map the curves onto themselves: ";
   if (worst.rod >= 0)
-    out << "rod " << worst.rod;
+    out << core::rod_in_words(worst.rod, rods);
   else
-    out << "anchor " << worst.anchor;
+    out << core::anchor_name(worst.anchor);
   out << " misses what it should become by ";
   out.precision(3);
   out << 100.0 * worst.relative << " % of the bounding box's diagonal, where " << 100.0 * tolerance
@@ -240,7 +241,8 @@ core::Expected<Symmetry> verify(const Figure& figure,
     polish(sampled, *operation, Polish::shifts);
     const Misfit worst = misfit(sampled, *operation);
     if (worst.relative > options.tolerance)
-      return core::Error{where, complaint(generator, worst, options.tolerance)};
+      return core::Error{where,
+                         complaint(generator, worst, figure.curves.size(), options.tolerance)};
     if (const std::string broken = objection(options, *operation); !broken.empty())
       return core::Error{where, text(generator) + " is not a symmetry of the scene: it " + broken};
     operations.push_back(std::move(*operation));

@@ -29,8 +29,8 @@ struct FreeGroup {
 // all rods are one group that nothing holds, which moves as a whole and keeps its shape.
 std::vector<FreeGroup> free_groups(const model::Structure& structure, const model::State& state);
 
-// In words, coordinates as they are: "rods 0 and 2 turn about the line through (0, 0, 0) along
-// (1, 0, 0)".
-std::string describe(const FreeGroup& group);
+// In words, coordinates as they are: "rods A and C turn about the line through (0, 0, 0) along
+// (1, 0, 0)". `rods`: how many the structure has.
+std::string describe(const FreeGroup& group, std::size_t rods);
 
 }  // namespace tencer::certify

@@ -11,8 +11,10 @@
 
 namespace tencer::io {
 
-// A JSON object; the file of a design that has a check holds the same under "check". Readers leave
-// it alone: it holds of this file only.
+// A JSON object; the file of a design that has a check holds the same under "check". Its "passed"
+// is null where nothing fails of what was looked at, but not everything was: "not_looked_at" has
+// the names of those sections, which are not among the keys. Readers leave it alone: it holds of
+// this file only.
 std::string check_text(const model::Design& design, const model::Check& check);
 
 // What the file of a design tells of its check, for those who build it.
@@ -23,7 +25,7 @@ struct FiledCheck {
     double attachment_error = 0.0;
     double percentile_95 = 0.0;
   };
-  bool passed = false;
+  std::optional<bool> passed{};           // not set: nothing fails of a part of the whole check
   std::vector<std::string> fails{};       // why not, a clause each
   std::vector<model::CheckLine> lines{};  // what each section says
   std::optional<Tolerance> tolerance{};   // in the design's unit of length

@@ -90,6 +90,7 @@ struct Sag {
   struct Support {
     int rod = 0;
     int vertex = 0;
+    double s = 0.0;  // the vertex's arc length
   };
   double deviation = 0.0;
   std::vector<Support> at{};  // where it hangs, or stands on; none: its own supports hold it
@@ -130,10 +131,11 @@ struct Converged {
   bool converged = false;
 };
 
-// The units that a check's numbers are in, see units.hpp.
-struct CheckUnits {
-  std::string length{};
-  std::string force{};
+// What a check's words need to know of its design.
+struct CheckTerms {
+  std::string length_unit{};  // that its numbers are in, see units.hpp
+  std::string force_unit{};
+  std::size_t rods = 0;
 };
 
 struct Check {
@@ -148,7 +150,7 @@ struct Check {
 };
 
 // What fails, a clause each that starts with the section: "forgives: ..."; none: nothing does.
-std::vector<std::string> shortfalls(const Check& check, const CheckUnits& units);
+std::vector<std::string> shortfalls(const Check& check, const CheckTerms& terms);
 
 // A section in a line: what it says, lengths in mm and forces in N, and whether it fails.
 struct CheckLine {
@@ -156,12 +158,15 @@ struct CheckLine {
   std::string text{};
   bool fails = false;
 };
-std::vector<CheckLine> sections(const Check& check, const CheckUnits& units);
+std::vector<CheckLine> sections(const Check& check, const CheckTerms& terms);
+
+// The sections that a whole check has and these lines lack: what they say nothing of.
+std::vector<std::string> not_looked_at(const std::vector<CheckLine>& lines);
 
 // The same, as lines of a report: "forgives: ...".
-std::string lines(const Check& check, const CheckUnits& units);
+std::string lines(const Check& check, const CheckTerms& terms);
 
 // lines(), and "fails: ..." for each shortfall.
-std::string report(const Check& check, const CheckUnits& units);
+std::string report(const Check& check, const CheckTerms& terms);
 
 }  // namespace tencer::model

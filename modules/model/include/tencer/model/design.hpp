@@ -67,6 +67,9 @@ std::vector<std::string> shortfalls(const Design& design);
 // The cables, the error and the certificate in words, a line each.
 std::string summary(const Design& design);
 
+// For the words of its check.
+CheckTerms terms_of(const Design& design);
+
 // What was asked for, whether the design is that, and if not why, and its summary.
 std::string findings(const Design& design);
 

@@ -39,7 +39,7 @@ struct Cable {
 // and rest length >= 0.
 void validate(const Cable& cable, int rods, int anchors);
 
-// Where it ends, in words: "rod 0 at 12.5 - anchor 3".
+// Where it ends, in words: "A at 12.5 - anchor 4".
 std::string describe(const Cable& cable);
 
 // A vertex's share in the span of a cable.
