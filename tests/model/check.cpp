@@ -119,6 +119,14 @@ TEST_CASE("the only rod of a check needs no letter") {
   CHECK(shortfalls(check, one)[0].starts_with("holds: the rod is strained by 2 %"));
 }
 
+TEST_CASE("a check of rods without a shape and without cables names none") {
+  Check check;
+  check.holds = Holds{};
+  CHECK(shortfalls(check, terms).empty());
+  CHECK(report(check, terms) ==
+        "holds: strain not known, for the file gives no shape of sections\n");
+}
+
 TEST_CASE("a part of a check says what it has not looked at") {
   CHECK(not_looked_at(sections(fine(), terms)).empty());
   Check part = fine();

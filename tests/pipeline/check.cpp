@@ -133,7 +133,7 @@ TEST_CASE("an arch that swings about the line through its pins fails, and the li
   REQUIRE(checked);
   const auto fails = model::shortfalls(checked->check, {"cm", "N"});
   CHECK(std::ranges::any_of(fails, [](const auto& fail) {
-    return fail.starts_with("stands: rod A turns about the line through (");
+    return fail.starts_with("stands: the rod turns about the line through (");
   }));
 }
 

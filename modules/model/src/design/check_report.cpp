@@ -106,14 +106,14 @@ void add_shortfalls(const ComesBack& comes_back, const Words& words, Reasons& re
 }
 
 void add_shortfalls(const Holds& holds, const Words& words, Reasons& reasons) {
-  add_if(holds.rod >= 0 && holds.strain > holds.strain_limit,
-         "holds: " + words.rod(holds.rod) + " is strained by " + Words::percent(holds.strain) +
-             ", " + holds.material + " bears " + Words::percent(holds.strain_limit) + " for long",
-         reasons);
-  add_if(holds.cable >= 0 && holds.tension > holds.breaking_load,
-         "holds: " + core::cable_in_words(holds.cable) + " pulls with " +
-             words.newtons(holds.tension) + " and breaks at " + words.newtons(holds.breaking_load),
-         reasons);
+  if (holds.rod >= 0 && holds.strain > holds.strain_limit)
+    reasons.push_back("holds: " + words.rod(holds.rod) + " is strained by " +
+                      Words::percent(holds.strain) + ", " + holds.material + " bears " +
+                      Words::percent(holds.strain_limit) + " for long");
+  if (holds.cable >= 0 && holds.tension > holds.breaking_load)
+    reasons.push_back("holds: " + core::cable_in_words(holds.cable) + " pulls with " +
+                      words.newtons(holds.tension) + " and breaks at " +
+                      words.newtons(holds.breaking_load));
 }
 
 void add_shortfalls(const Clear& clear, const Words& words, Reasons& reasons) {
