@@ -38,7 +38,7 @@ bad_curve(point.xyz "0 0 0\n" "point.xyz:1" "needs at least 2 points")
 bad_curve(repeated.xyz "1 1 1\n1 1 1\n1 1 1\n" "repeated.xyz:1" "at least 2 different points")
 bad_curve(back.xyz "0 0 0\n2 0 0\n1 0 0\n1 1 0\n" "back.xyz:2" "turns straight back")
 bad_curve(crossing.xyz "0 0 0\n1 1 0\n2 0 0\n1 -1 0\n0 0 1\n-1 -1 0\n1 1 0\n1 1 1\n"
-  "crossing.xyz" "the rod crosses itself: arc length ")
+  "crossing.xyz" "the rod crosses itself: ")
 # Likewise where no vertex is on the crossing.
 bad_curve(eight.xyz "3 1 0\n4 0 0\n3 -1 0\n-3 1 0\n-4 0 0\n-3 -1 0\n3 1 0\n"
   "eight.xyz" "are the same point; move the curves apart there")
