@@ -52,7 +52,7 @@ TEST_CASE("A part of a check that fails nothing is not passed") {
       Catch::Contains("\"passed\": null") && Catch::Contains("\"not_looked_at\": [\"stands\""));
   design.check = model::Check{.stands = model::Stands{.rests = true, .certified = true},
                               .forgives = model::Forgives{.max_deviation = 1},
-                              .comes_back = model::ComesBack{},
+                              .comes_back = model::ComesBack{.pushes = {{.tried = 1, .back = 1}}},
                               .holds = model::Holds{},
                               .weight = model::OwnWeight{},
                               .clear = model::Clear{},
