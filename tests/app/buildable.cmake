@@ -50,7 +50,7 @@ expect_first_line("${err}" "1 closed rod, 62.12 mm, ")
 run_tencer(design open.csv -o open)
 expect_first_line("${err}" "1 open rod, 56.94 mm, ")
 expect_contains("${err}" "this curve is open, with its ends 5.18 apart, as far as neighbours")
-refused("--closed: " "closed = true" design thick.toml -o out --closed)
+refused("thick.toml: " "is for bare curves" design thick.toml -o out --closed)
 
 # A check is of the material that the file names.
 run_tencer(check ash/design.json --json)
