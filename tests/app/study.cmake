@@ -27,7 +27,7 @@ run_tencer(study broken.toml ring.obj straight.xyz -o all --methods force-balanc
 expect_status(3)
 expect_contains("${out}" "broken, force-balance, gauss-newton, x1: ")
 expect_contains("${out}" "failed: broken.toml:3: ")
-expect_contains("${out}" "1 runs are not complete")
+expect_contains("${out}" "1 run is not complete")
 count_lines(all lines)
 if(NOT lines EQUAL 3)
   message(SEND_ERROR "${lines} lines, not 3")
