@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <tencer/model/edit.hpp>
 
 namespace tencer::model {
@@ -36,9 +37,7 @@ std::optional<std::string> Edit::problem() const {
 
 std::optional<int> Edit::cables() const {
   if (!add && !remove) return std::nullopt;
-  std::vector<int> gone = forbid;
-  std::ranges::sort(gone);
-  gone.erase(std::ranges::unique(gone).begin(), gone.end());
+  const std::set<int> gone(forbid.begin(), forbid.end());
   const auto left = static_cast<int>(from.structure.cables.size() - gone.size());
   return left + add.value_or(0) - remove.value_or(0);
 }
