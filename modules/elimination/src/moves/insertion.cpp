@@ -5,6 +5,7 @@
 #include <tencer/ground_structure/candidate_columns.hpp>
 #include <tencer/network/rest_length.hpp>
 #include <tencer/sensitivity/distance.hpp>
+#include <tencer/springs/alike.hpp>
 #include <tencer/springs/law.hpp>
 #include <utility>
 
@@ -19,27 +20,10 @@ struct Rated {
   double rate = 0.0;
 };
 
-// Whether two ends are within a part of the rod's length of each other.
-bool near(const springs::End& a, const springs::End& b, const equilibrium::System& system,
-          double part) {
-  if (a.index() != b.index()) return false;
-  if (const auto* anchor = std::get_if<springs::AtAnchor>(&a))
-    return anchor->anchor == std::get<springs::AtAnchor>(b).anchor;
-  const auto& on_a = std::get<springs::OnRod>(a);
-  const auto& on_b = std::get<springs::OnRod>(b);
-  if (on_a.rod != on_b.rod) return false;
-  const geometry::ArcLength& rod = system.arc_lengths()[on_a.rod];
-  double apart = std::abs(rod.wrap(on_a.s) - rod.wrap(on_b.s));
-  if (rod.closed()) apart = std::min(apart, rod.length() - apart);
-  return apart < part * rod.length();
-}
-
 bool alike(const CandidateOrbit& orbit, const springs::Cable& other,
            const equilibrium::System& system, double part) {
   return std::ranges::any_of(orbit, [&](const CandidateColumn& column) {
-    const springs::Cable& cable = column.cable;
-    return (near(cable.a, other.a, system, part) && near(cable.b, other.b, system, part)) ||
-           (near(cable.a, other.b, system, part) && near(cable.b, other.a, system, part));
+    return springs::alike(column.cable, other, system.arc_lengths(), part);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <tencer/core/error.hpp>
 #include <tencer/geometry/arc_length.hpp>
 #include <tencer/model/rules.hpp>
+#include <tencer/springs/alike.hpp>
 
 namespace tencer::model {
 namespace {
@@ -18,20 +19,6 @@ Interval unrolled(const Arc& arc, const geometry::ArcLength& along) {
   double span = arc.to - arc.from;
   if (span < 0) span += along.length();
   return {from, from + span};
-}
-
-bool near(const springs::End& a, const springs::End& b,
-          const std::vector<geometry::ArcLength>& along) {
-  if (a.index() != b.index()) return false;
-  if (const auto* anchor = std::get_if<springs::AtAnchor>(&a))
-    return anchor->anchor == std::get<springs::AtAnchor>(b).anchor;
-  const auto& on_a = std::get<springs::OnRod>(a);
-  const auto& on_b = std::get<springs::OnRod>(b);
-  if (on_a.rod != on_b.rod) return false;
-  const geometry::ArcLength& rod = along[on_a.rod];
-  double apart = std::abs(rod.wrap(on_a.s) - rod.wrap(on_b.s));
-  if (rod.closed()) apart = std::min(apart, rod.length() - apart);
-  return apart < unwanted_part * rod.length();
 }
 
 }  // namespace
@@ -88,8 +75,7 @@ bool place_allowed(const Rules& rules, const Structure& structure, int rod, doub
 bool is_unwanted(const Rules& rules, const std::vector<geometry::ArcLength>& along,
                  const springs::Cable& cable) {
   return std::ranges::any_of(rules.unwanted, [&](const springs::Cable& other) {
-    return (near(cable.a, other.a, along) && near(cable.b, other.b, along)) ||
-           (near(cable.a, other.b, along) && near(cable.b, other.a, along));
+    return springs::alike(cable, other, along, unwanted_part);
   });
 }
 
