@@ -104,6 +104,9 @@ std::optional<core::Error> apply(const DesignRequest& request, model::DesignSett
     return core::Error{"--cables",
                        "--trade-off designs every number of cables; drop --cables for "
                        "all of them, or --trade-off for this one"};
+  if (request.trade_off && (request.edit.add || request.edit.remove))
+    return core::Error{request.edit.add ? "--add" : "--remove",
+                       "asks for one number of cables, --trade-off for all; drop one of them"};
   if (request.method) settings.method = *request.method;
   if (const auto error = apply_optimizer(request, settings)) return error;
   if (request.trade_off) settings.cables.reset();  // else the scene's number would decide

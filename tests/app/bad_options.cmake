@@ -53,6 +53,11 @@ foreach(value 0 -1 2.5 many 99999999999)
   refused("--threads: " "expected a positive whole number, found ${value}"
     design ring.obj -o out --threads ${value})
 endforeach()
+refused("--time: " "expected a positive number, found 0" design ring.obj -o out --time 0)
+refused("--effort: " "4 not in range 1 to 3" design ring.obj -o out --effort 4)
+refused("none.json: " "there is no such file" design ring.obj -o out --from none.json)
+refused("--keep: " "expected a positive whole number, found 0"
+  design ring.obj -o out --from none.json --keep 0)
 refused("--material: " "glass fibre, carbon" design ring.obj -o out --material cheese)
 refused("--method: " "force-balance,dense-springs" design ring.obj -o out --method luck)
 refused("--objective: " "max,rms" design ring.obj -o out --objective mean)
@@ -60,6 +65,9 @@ refused("--symmetry: " "none,offer,detect" design ring.obj -o out --symmetry som
 
 # Options that do not go together.
 refused("--cables: " "drop --cables" design ring.obj -o out --trade-off --cables 5)
+refused("--forbid: " "name it with --from" design ring.obj -o out --forbid 2)
+refused("--add: " "one number of cables, --trade-off for all"
+  design ring.obj -o out --trade-off --from none.json --add 1)
 refused("--hessian: " "belong to the method dense-springs" design ring.obj -o out --hessian exact)
 refused("--symmetry: " "use none, or --method force-balance"
   design ring.obj -o out --method dense-springs --symmetry detect)

@@ -58,6 +58,7 @@ TEST_CASE("the page of the scene file has the defaults of the code") {
   CHECK(page.at("objective") == in_quotes(model::name_of(settings.objective)));
   CHECK(page.at("symmetry") == in_quotes(model::name_of(settings.symmetry)));
   CHECK(page.at("max_error") == number(settings.max_error));
+  CHECK(page.at("effort") == number(settings.effort));
   CHECK(page.at("cables") == (settings.cables ? number(*settings.cables) : "none"));
   CHECK(page.at("external") == (scene.rules.external ? "true" : "false"));
   CHECK(page.at("hand_over") == (settings.hand_over ? "true" : "false"));

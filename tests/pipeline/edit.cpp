@@ -87,6 +87,9 @@ TEST_CASE("edits that cannot be made say why") {
   model::Scene two = scene_of({curves::circle(40, 30), curves::circle(20, 30)});
   two.edit = model::Edit{.from = first()};
   CHECK_THAT(error_of(two), Contains("edit.from: its rods, 1 closed and 0 open, are not"));
+  const auto all = pipeline::trade_off(edited({.from = first(), .add = 1}));
+  REQUIRE_FALSE(all);
+  CHECK_THAT(all.error().text(), Contains("a trade-off for all"));
   model::Scene symmetric = edited({.from = first()});
   symmetric.design.symmetry = model::SymmetryUse::detect;
   CHECK_THAT(error_of(symmetric), Contains("symmetries are not kept"));

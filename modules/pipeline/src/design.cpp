@@ -268,6 +268,9 @@ core::Expected<Design> design(const model::Scene& scene, const RunOptions& optio
 core::Expected<std::vector<Design>> trade_off(const model::Scene& scene,
                                               const RunOptions& options) {
   if (const auto error = check_edit(scene)) return *error;
+  if (scene.edit && scene.edit->cables())
+    return core::Error{scene.source,
+                       "edit: add and remove ask for one number of cables, a trade-off for all"};
   const model::Scene ready = ready_to_design(scene);
   const auto task = begin(ready, options);
   if (!task) return task.error();

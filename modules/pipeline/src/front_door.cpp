@@ -40,6 +40,8 @@ void apply(const DesignOptions& options, model::DesignSettings& settings) {
   take(options.objective, settings.objective);
   take(options.symmetry, settings.symmetry);
   if (options.threads) settings.threads = options.threads;
+  if (options.time) settings.time = options.time;
+  take(options.effort, settings.effort);
 }
 
 void apply(const DesignOptions& options, model::BuildSettings& build) {

@@ -52,7 +52,9 @@ struct DesignOptions {
   std::optional<double> attachment_error{};  // and tied to this along their rods
   std::optional<model::Allowance> max_deviation{};
   std::optional<int> threads{};
-  double resolution = 1.0;  // vertices of every rod, times what the curves have
+  std::optional<double> time{};  // seconds after which the search ends with the best it has
+  std::optional<int> effort{};   // of the search: 1 quick, 2, 3 thorough
+  double resolution = 1.0;       // vertices of every rod, times what the curves have
   pipeline::RunOptions run{};
 
   // What is wrong, beginning with the name of the field; not set: nothing.
