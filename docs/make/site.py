@@ -11,15 +11,16 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).parents[2]
+# Names are not broken in two.
+CSS = ".md-typeset table code { word-break: normal; overflow-wrap: break-word }\n"
 STYLE = 'rankdir=TB; node [shape=box, style=rounded, fontname="sans-serif", fontsize=11];'
 
 
-def drawn(diagram):
-    """An SVG of a mermaid flowchart of nothing but arrows."""
+def draw(diagram, picture):
+    """Draws a mermaid flowchart of nothing but arrows."""
     arrows = diagram.replace("flowchart TB", "").replace("-->", "->")
     graph = f"digraph {{ {STYLE} {arrows} }}"
-    done = subprocess.run(["dot", "-Tsvg"], input=graph, capture_output=True, text=True, check=True)
-    return re.sub(r"^.*?(?=<svg)", "", done.stdout, flags=re.S)
+    subprocess.run(["dot", "-Tsvg", "-o", picture], input=graph, text=True, check=True)
 
 
 def main():
@@ -30,10 +31,11 @@ def main():
     for name in "README.md", "LICENSE", "fuzz/README.md":
         (folder / name).parent.mkdir(exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
-    for page in folder.glob("docs/*.md"):
-        text = page.read_text()
-        page.write_text(re.sub(r"^```mermaid\n(.*?)^```", lambda found: drawn(found[1]), text,
-                               flags=re.M | re.S))
+    page = folder / "docs" / "architecture.md"
+    before, diagram, after = re.split(r"^```mermaid\n(.*?)^```", page.read_text(), flags=re.M | re.S)
+    draw(diagram, page.with_name("images") / "modules.svg")
+    page.write_text(f"{before}![The modules, and which may use which](images/modules.svg){after}")
+    (folder / "docs" / "site.css").write_text(CSS)
 
 
 main()
