@@ -92,7 +92,7 @@ if(NOT in_scene EQUAL count)
   message(SEND_ERROR "${in_scene} cables by the scene, ${count} by --cables")
 endif()
 
-# A max error on the command line goes before the scene's number of cables.
+# A max error on the command line overrides the scene's number of cables.
 run_tencer(design knot.toml -o scene --max-error 1 --quiet ${exact})
 expect_status(0)
 file(READ ${WORK}/scene/design.json scene)
