@@ -1,5 +1,5 @@
-// The design as JSON, both ways, and the other files that are read as one. Every key that is written
-// is in docs/design.schema.json, which a test validates files by.
+// The design as JSON, both ways, and the other files that are read as one. Every key that is
+// written is in docs/design.schema.json, which a test validates files by.
 #pragma once
 
 #include <filesystem>
