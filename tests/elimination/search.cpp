@@ -119,6 +119,19 @@ TEST_CASE("A search that is stopped gives what it has") {
   CHECK(result.stage.network.state[0].x.cols() == 120);
 }
 
+TEST_CASE("Nothing stands that errors move further than is allowed, though all networks do") {
+  const Problem problem = problem_of(trefoil(60));
+  EliminationOptions options = within(1.0);
+  options.local_search.max_rounds = 0;
+  for (auto& balance : options.start.balances) balance.descents = 1;
+  options.workmanship.length_error = 1e-4 * model::diagonal(problem.target);
+  options.workmanship.max_deviation = 0.1 * options.workmanship.length_error;
+  const EliminationResult result = search(problem, options);
+  CHECK(result.stage.valid());
+  REQUIRE(!result.solutions.empty());
+  for (const auto& solution : result.solutions) CHECK(!solution.standing.stands());
+}
+
 TEST_CASE("Rods that hold their shape by themselves get no cables") {
   for (const int vertices : {40, 80}) {
     const Problem problem = problem_of(make_model({curves::circle(1.0, vertices)}));

@@ -36,16 +36,6 @@ void record(const ParetoArchive& archive, Multistart& multistart, const Problem&
   result.trace.push_back(recorder.row(result.network, problem.target));
 }
 
-// Where errors move even the many cables of a balance further than is asked, so they do fewer.
-Requirements requirements_from(const Network& start, const Problem& problem,
-                               const EliminationOptions& options) {
-  Requirements requirements =
-      requirements_for(start, problem.target, problem.rules, problem.group(), options);
-  if (error_deviation(start, options.workmanship) > options.workmanship.max_deviation)
-    requirements.standing_deviation = requirements.workmanship.max_deviation;
-  return requirements;
-}
-
 // All of the search on rods of one resolution; its rows and its best network go to `result`.
 Found search_on(const Problem& problem, const EliminationOptions& options,
                 const network::Control& control, StageResult& result) {
@@ -61,7 +51,8 @@ Found search_on(const Problem& problem, const EliminationOptions& options,
   if (full.empty()) return {};
 
   network::StageRecorder recorder("eliminate", control);
-  Found found{.requirements = requirements_from(full.front().network, problem, options)};
+  Found found{.requirements = requirements_for(full.front().network, problem.target, problem.rules,
+                                               problem.group(), options)};
   Multistart multistart(*found.requirements, problem.candidates, options, control, recorder);
   for (Start& start : near)
     start = {.network = eliminate_in_blocks(multistart, start.network), .descents = 2};
@@ -139,7 +130,8 @@ Found revise_on(const Revision& revision, const Problem& problem, const Eliminat
   constexpr double roomier = 2;  // few cables move more by errors than those of a balance
   network::StageRecorder recorder("revise", control);
   Start start{.network = at_rest(revision.network, control), .descents = descents};
-  Found found{.requirements = requirements_from(start.network, problem, options)};
+  Found found{.requirements = requirements_for(start.network, problem.target, problem.rules,
+                                               problem.group(), options)};
   found.requirements->fixed_cables = revision.kept;
   found.requirements->workmanship.max_deviation *= roomier;
   Multistart multistart(*found.requirements, problem.candidates, options, control, recorder);

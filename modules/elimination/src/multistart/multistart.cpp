@@ -146,27 +146,30 @@ void Multistart::look_for_footing(std::vector<Solution>& found) const {
 }
 
 // Fits the networks of an elimination that may answer the goal: all of them, the first with few
-// enough cables, or from the last back until one is close enough and stands.
+// enough cables, or from the last back until one is close enough and stands; ever further back, as
+// what has many more cables moves less.
 ParetoArchive Multistart::fit_answers(const std::vector<Network>& path) {
   const model::Goal& goal = options_.goal;
   ParetoArchive archive;
   // Where time was short the first, with the most cables, may be all that holds.
   if (control_.stop.stop_requested()) add_fitted(path.front(), archive);
+  if (goal.by_number() && !goal.every_number) {
+    // The one with the most of those that have few enough cables; when none has, the last.
+    const auto few = std::ranges::find_if(
+        path, [&](const Network& network) { return cable_count(network) <= goal.cables; });
+    add_fitted(few == path.end() ? path.back() : *few, archive);
+    return archive;
+  }
   int further = options_.fit.further;
-  for (auto network = path.rbegin(); network != path.rend(); ++network) {
-    if (goal.by_number() && !goal.every_number) {
-      // The one with the most of those that have few enough cables; when none has, the last.
-      const auto more = std::next(network);
-      if (cable_count(*network) > goal.cables && network != path.rbegin()) break;
-      if (more != path.rend() && cable_count(*more) <= goal.cables) continue;
-    }
+  std::ptrdiff_t step = 1;
+  for (auto at = std::ssize(path) - 1; at >= 0; at -= step) {
     ParetoArchive fitted;
-    add_fitted(*network, fitted);
+    add_fitted(path[at], fitted);
     const Solution* solution = fitted.best_for(goal);
     archive.add(fitted);
-    if (!solution || goal.every_number) continue;
-    if (goal.by_number()) break;
-    if (goal.met(solution->score()) && (solution->standing.stands() || further-- == 0)) break;
+    if (goal.every_number || !solution || !goal.met(solution->score())) continue;
+    if (solution->standing.stands() || control_.stop.stop_requested()) break;
+    if (further-- <= 0) step *= 2;
   }
   return archive;
 }
