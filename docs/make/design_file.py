@@ -17,9 +17,9 @@ what the program writes.
 Your editor completes and checks the file by the schema when you tell it where that is. So do
 programs: `python3 -m jsonschema -i knot/design.json docs/design.schema.json`.
 
-Keys marked *optional* are left out where they have nothing to say. tencer reads files in which further
-keys are missing (`name`, `status`, `anchors`, `pinned`, `planar`, `trace`) or added by other programs,
-and says which key is wrong when one is.
+Keys marked *optional* are left out where they have nothing to say. A file that tencer reads may also
+lack `name`, `status`, `anchors`, `pinned`, `planar` and `trace`, and may have keys of other programs.
+When a key is wrong, the message names it.
 
 A short file that tencer reads, an arch of one rod whose ends one cable holds together:
 

@@ -11,8 +11,10 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).parents[2]
-# Names are not broken in two.
-CSS = ".md-typeset table code { word-break: normal; overflow-wrap: break-word }\n"
+# Names are not broken in two, and long lines of what the program says are.
+CSS = """.md-typeset table code { word-break: normal; overflow-wrap: break-word }
+.md-typeset pre > code { white-space: pre-wrap }
+"""
 STYLE = 'rankdir=TB; node [shape=box, style=rounded, fontname="sans-serif", fontsize=11];'
 
 
