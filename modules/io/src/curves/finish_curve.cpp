@@ -136,6 +136,30 @@ void finish_curve(const ListedCurve& curve, CurveFile& file) {
   file.curves.push_back(std::move(result));
 }
 
+core::Expected<CurveFile> listed_curve(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
+                                       std::optional<bool> closed, const std::string& name) {
+  return guarded([&] {
+    const auto place = [&](int i) { return name + "[" + std::to_string(i) + "]"; };
+    ListedCurve listed;
+    listed.closed = closed;
+    listed.where = name;
+    listed.where_of = listed.name_of = place;
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+      for (const double number : points.col(i))
+        if (!(std::abs(number) <= largest_number))
+          fail(place(static_cast<int>(i)),
+               to_text(number) + (std::isfinite(number)
+                                      ? " is too large for a coordinate; use a larger "
+                                        "unit of length"
+                                      : " is not a finite number"));
+      listed.points.emplace_back(points.col(i));
+    }
+    CurveFile file;
+    finish_curve(listed, file);
+    return file;
+  });
+}
+
 std::optional<std::string> close_curve(geometry::Polyline& curve) {
   constexpr double far = 3;  // times the longest edge
   if (curve.closed) return std::nullopt;

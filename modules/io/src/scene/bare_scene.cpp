@@ -8,6 +8,7 @@
 #include "design/design_json.hpp"
 #include "design/published_json.hpp"
 #include "scene/parse_scene.hpp"
+#include "scene/scene_keys.hpp"
 #include "scene/vertex_limit.hpp"
 #include "text/bad_input.hpp"
 #include "text/read_text.hpp"
@@ -76,21 +77,54 @@ bool is_scene(const std::filesystem::path& path, std::string_view text) {
   return path == "-" ? text.find("[[rod]]") != std::string_view::npos : path.extension() == ".toml";
 }
 
+// What a file holds that rods are in, given to the one that reads such.
+template <class Scenes, class Designs, class Curves>
+Scene read_any(const std::filesystem::path& path, Scenes&& scenes, Designs&& designs,
+               Curves&& curves) {
+  const std::string text = read_text(path);
+  if (is_scene(path, text)) return scenes(text);
+  if (format_of(path, text, shown(path)) == CurveFormat::json) {
+    const nlohmann::json content = JsonValue::parse(text, shown(path));
+    if (is_design(content)) return designs(content);
+  }
+  return curves(parse_curves(path, text, shown(path)));
+}
+
 }  // namespace
 
 core::Expected<Scene> read_any_scene(const std::filesystem::path& path,
                                      const SceneOptions& options) {
   return guarded([&] {
-    const std::string text = read_text(path);
-    if (is_scene(path, text)) {
-      refuse_curve_options(path, options);
-      return parse_scene(text, path, options);
-    }
-    if (format_of(path, text, shown(path)) == CurveFormat::json) {
-      const nlohmann::json content = JsonValue::parse(text, shown(path));
-      if (is_design(content)) return scene_of_design(content, path, options);
-    }
-    return scene_of(parse_curves(path, text, shown(path)), path, options);
+    return read_any(
+        path,
+        [&](const std::string& text) {
+          refuse_curve_options(path, options);
+          return parse_scene(text, path, options);
+        },
+        [&](const nlohmann::json& content) { return scene_of_design(content, path, options); },
+        [&](CurveFile file) { return scene_of(std::move(file), path, options); });
+  });
+}
+
+core::Expected<Scene> scene_with_keys(const std::filesystem::path& path, const SceneKeys& keys) {
+  return guarded([&] {
+    SortedKeys said = sorted_keys(keys.text);
+    SceneSource source = source_of(path, model::glass_fibre());
+    source.designs = keys.designs;
+    return read_any(
+        path,
+        [&](const std::string& text) {
+          source.rods.curves = keys.curves;
+          toml::table root = TomlTable::parse(text, shown(path));
+          take_keys(std::move(said), root);
+          return read_root(TomlTable(root), source);
+        },
+        [&](const nlohmann::json& content) {
+          Scene scene = scene_of_design(content, path, {});
+          read_keys_beside_rods(said, source, scene);
+          return scene;
+        },
+        [&](CurveFile file) { return scene_of_bare(std::move(file), std::move(said), source); });
   });
 }
 

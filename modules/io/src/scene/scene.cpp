@@ -222,26 +222,7 @@ void read_external(const TomlTable& design, Scene& scene) {
 }
 
 void read_design(const TomlTable& design, Scene& scene) {
-  design.only({"method",
-               "optimizer",
-               "hessian",
-               "max_error",
-               "cables",
-               "objective",
-               "symmetry",
-               "rod_pairs",
-               "external",
-               "hand_over",
-               "longest_cable",
-               "weights",
-               "forbidden_arcs",
-               "forbidden_vertices",
-               "sparsity_weights",
-               "spring_stiffness",
-               "greedy_threshold",
-               "threads",
-               "time",
-               "effort"});
+  design.only(design_keys);
   model::DesignSettings& settings = scene.design;
   const auto positive = [&](std::string_view key, double& value) {
     value = design.positive(key).value_or(value);
@@ -342,21 +323,13 @@ void check_plane(const Scene& scene, const std::string& where) {
                " and anchors[" + std::to_string(i) + "] has z = " + to_text(anchors(2, i)));
 }
 
-Scene read_root(const TomlTable& root, const std::filesystem::path& path,
-                const SceneOptions& options) {
-  root.only({"name", "length_unit", "force_unit", "planar", "anchors", "frame", "pinned", "gravity",
-             "loads", "rod", "design", "build", "edit"});
-  Scene scene;
+}  // namespace
+
+void read_task(const TomlTable& root, const SceneSource& source, Scene& scene) {
   model::Structure& structure = scene.structure;
-  scene.name = root.text("name").value_or(stem(path));
-  scene.source = shown(path);
-  scene.length_unit = root.one_of("length_unit", model::length_units()).value_or(scene.length_unit);
-  scene.force_unit = root.one_of("force_unit", model::force_units()).value_or(scene.force_unit);
   structure.planar = root.boolean("planar").value_or(structure.planar);
   scene.target.planar = structure.planar;
   structure.anchors = root.points("anchors").value_or(structure.anchors);
-  read_rods(root, path.parent_path(), root.point("gravity").value_or(Eigen::Vector3d::Zero()),
-            options.material, scene);
   if (const auto frame = root.table("frame")) {
     if (root.has("anchors"))
       root.fail("frame", "its corners are the anchors; give either frame or anchors");
@@ -367,18 +340,34 @@ Scene read_root(const TomlTable& root, const std::filesystem::path& path,
     structure.point_loads.push_back(read_load(load, scene));
   if (const auto design = root.table("design")) read_design(*design, scene);
   if (const auto build = root.table("build")) read_build(*build, scene.build);
-  if (const auto edit = root.table("edit")) scene.edit = read_edit(*edit, path.parent_path());
+  if (const auto edit = root.table("edit"))
+    scene.edit = read_edit(*edit, source.rods.folder, source.designs);
   if (const auto crossing = model::crossing(scene)) fail(scene.source, *crossing);
   if (structure.planar) check_plane(scene, root.where("planar"));
+}
+
+Scene read_root(const TomlTable& root, const SceneSource& source) {
+  root.only(root_keys);
+  Scene scene;
+  scene.name = root.text("name").value_or(source.name);
+  scene.source = source.shown;
+  scene.length_unit = root.one_of("length_unit", model::length_units()).value_or(scene.length_unit);
+  scene.force_unit = root.one_of("force_unit", model::force_units()).value_or(scene.force_unit);
+  read_rods(root, source.rods, root.point("gravity").value_or(Eigen::Vector3d::Zero()), scene);
+  read_task(root, source, scene);
   return scene;
 }
 
-}  // namespace
+SceneSource source_of(const std::filesystem::path& path, const model::Material& material) {
+  return {.name = stem(path),
+          .shown = shown(path),
+          .rods = {.folder = path.parent_path(), .material = material}};
+}
 
 Scene parse_scene(std::string_view text, const std::filesystem::path& path,
                   const SceneOptions& options) {
   const toml::table content = TomlTable::parse(text, shown(path));
-  return read_root(TomlTable(content, shown(path)), path, options);
+  return read_root(TomlTable(content), source_of(path, options.material));
 }
 
 core::Expected<Scene> read_scene(const std::filesystem::path& path, const SceneOptions& options) {

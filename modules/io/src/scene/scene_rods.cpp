@@ -51,15 +51,19 @@ std::vector<Polyline> family_targets(const TomlTable& rod) {
   return curves::family_curves(family, values, vertices);
 }
 
-// Where the curves of a scene are, and what of them its author may want to know.
-struct Source {
-  std::filesystem::path folder{};
+// That, with the scene's units, and what of the curves its author may want to know.
+struct Source : RodSource {
   Units units{};
-  model::Material material{};  // of rods that say none
   std::vector<std::string>& notes;
 };
 
+std::vector<Polyline> numbered_target(const TomlTable& rod, const Source& source) {
+  const int most = static_cast<int>(source.curves.size()) - 1;
+  return {source.curves[*rod.integer("curve", 0, most)]};
+}
+
 std::vector<Polyline> file_targets(const TomlTable& rod, const Source& source) {
+  if (!source.curves.empty() && !rod.is_text("curve")) return numbered_target(rod, source);
   const std::filesystem::path file = source.folder / *rod.text("curve");
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
@@ -118,7 +122,6 @@ std::vector<Polyline> curves_of(const TomlTable& table, const Source& source) {
     table.fail("parameters", "belongs to family only");
   if (table.has("index") && table.has("spline"))
     table.fail("index", "belongs to curve or family; a spline is one curve");
-  table.text("curve");
   std::vector<Polyline> curves = table.has("curve")    ? file_targets(table, source)
                                  : table.has("family") ? family_targets(table)
                                                        : spline_targets(table, source);
@@ -192,8 +195,7 @@ void check_rest_curve(const TomlTable& table, const ListedRod& rod) {
 }
 
 std::vector<ListedRod> read_rod(const TomlTable& table, const Source& source) {
-  table.only({"curve", "index", "family", "parameters", "spline", "vertices", "closed", "section",
-              "material", "director", "rest", "closing_turns"});
+  table.only(rod_keys);
   std::vector<Polyline> curves = curves_of(table, source);
   const SectionWish section = section_wish(table, source.units, source.material);
   std::vector<ListedRod> rods;
@@ -281,13 +283,9 @@ void check_number(const std::vector<ListedRod>& rods, const TomlTable& root) {
 
 }  // namespace
 
-void read_rods(const TomlTable& root, const std::filesystem::path& folder,
-               const Eigen::Vector3d& gravity, const model::Material& material,
+void read_rods(const TomlTable& root, const RodSource& given, const Eigen::Vector3d& gravity,
                model::Scene& scene) {
-  const Source source{.folder = folder,
-                      .units = {scene.length_unit, scene.force_unit},
-                      .material = material,
-                      .notes = scene.notes};
+  const Source source{given, {scene.length_unit, scene.force_unit}, scene.notes};
   std::vector<ListedRod> rods;
   std::vector<TomlTable> tables;
   for (const TomlTable& table : root.tables("rod"))

@@ -1,17 +1,30 @@
 // The [[rod]] tables of a scene.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <span>
+#include <string_view>
 #include <tencer/io/scene.hpp>
 
 #include "scene/toml_value.hpp"
 
 namespace tencer::io {
 
+inline constexpr std::array<std::string_view, 12> rod_keys{
+    "curve",  "index",   "family",   "parameters", "spline", "vertices",
+    "closed", "section", "material", "director",   "rest",   "closing_turns"};
+
+// Where the curves of rods come from, and what rods that say no material are made of.
+struct RodSource {
+  std::filesystem::path folder{};
+  std::span<const geometry::Polyline> curves{};  // that a rod names by number
+  model::Material material{};
+};
+
 // Sets the scene's rods, and their weights as line loads when there is gravity (m/s^2). The scene's
-// units are known; `material` is that of rods that say none.
-void read_rods(const TomlTable& root, const std::filesystem::path& folder,
-               const Eigen::Vector3d& gravity, const model::Material& material,
+// units are known.
+void read_rods(const TomlTable& root, const RodSource& source, const Eigen::Vector3d& gravity,
                model::Scene& scene);
 
 }  // namespace tencer::io

@@ -62,17 +62,19 @@ toml::table TomlTable::parse(std::string_view text, const std::string& file) {
     io::fail(file, "is larger than 16 MB; put the curves into files of their own");
   check_depth(text, file);
   try {
-    return toml::parse(text);
+    return file.empty() ? toml::parse(text) : toml::parse(text, file);
   } catch (const toml::parse_error& error) {
     io::fail(file + ":" + std::to_string(error.source().begin.line),
              "is not valid TOML: " + std::string(error.description()));
   }
 }
 
-std::string TomlTable::where_of(const toml::node& node) const {
-  const auto line = node.source().begin.line;
-  return line > 0 ? file_ + ":" + std::to_string(line) : file_;
+std::string TomlTable::place(const toml::source_region& source) {
+  if (!source.path) return {};
+  return *source.path + ":" + std::to_string(source.begin.line);
 }
+
+std::string TomlTable::where_of(const toml::node& node) const { return place(node.source()); }
 
 std::string TomlTable::where(std::string_view key) const {
   const toml::node* node = table_->get(key);
@@ -99,8 +101,7 @@ void TomlTable::expected(const toml::node& node, const std::string& path,
 void TomlTable::only(std::span<const std::string_view> keys) const {
   for (const auto& [key, node] : *table_)
     if (std::ranges::find(keys, key.str()) == keys.end()) {
-      const auto line = key.source().begin.line;
-      io::fail(line > 0 ? file_ + ":" + std::to_string(line) : where_of(node),
+      io::fail(place(key.source()),
                "unknown key " + path_to(key.str()) + "; " + suggestion(key.str(), keys));
     }
 }
@@ -249,7 +250,7 @@ std::optional<TomlTable> TomlTable::table(std::string_view key) const {
   const toml::node* node = table_->get(key);
   if (!node) return std::nullopt;
   if (!node->is_table()) expected(*node, path_to(key), "a table");
-  return TomlTable(*node->as_table(), file_, path_to(key));
+  return TomlTable(*node->as_table(), path_to(key));
 }
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
@@ -258,7 +259,7 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
     for (const toml::node& node : *list) {
       const std::string path = element(path_to(key), result.size());
       if (!node.is_table()) expected(node, path, "a table");
-      result.push_back(TomlTable(*node.as_table(), file_, path));
+      result.push_back(TomlTable(*node.as_table(), path));
     }
   return result;
 }

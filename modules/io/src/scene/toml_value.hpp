@@ -1,5 +1,6 @@
 // A table of a TOML file with the key path that leads to it. Errors are placed by line and name the
-// key: "scene.toml:12: design.max_error: expected a positive number, found -1".
+// key: "scene.toml:12: design.max_error: expected a positive number, found -1". What was parsed
+// without a file has no place, and errors name the key alone.
 #pragma once
 
 #include <toml++/toml.h>
@@ -17,10 +18,10 @@ namespace tencer::io {
 
 class TomlTable {
  public:
-  // The whole file; throws BadInput with the line when it is not TOML. The table must outlive what
-  // is reached from it.
+  // The whole file, or with an empty name what is in none; throws BadInput with the line when it is
+  // not TOML. The table must outlive what is reached from it.
   static toml::table parse(std::string_view text, const std::string& file);
-  TomlTable(const toml::table& table, std::string file) : table_(&table), file_(std::move(file)) {}
+  explicit TomlTable(const toml::table& table) : table_(&table) {}
 
   std::string where() const { return where_of(*table_); }
   std::string where(std::string_view key) const;  // of the key's value, if there
@@ -62,9 +63,9 @@ class TomlTable {
   }
 
  private:
-  TomlTable(const toml::table& table, std::string file, std::string path)
-      : table_(&table), file_(std::move(file)), path_(std::move(path)) {}
+  TomlTable(const toml::table& table, std::string path) : table_(&table), path_(std::move(path)) {}
 
+  static std::string place(const toml::source_region& source);
   std::string where_of(const toml::node& node) const;
   std::string path_to(std::string_view key) const;
   [[noreturn]] void fail_missing(std::string_view key) const;
@@ -76,7 +77,6 @@ class TomlTable {
   const toml::array* array(std::string_view key, const std::string& what) const;
 
   const toml::table* table_;
-  std::string file_;
   std::string path_;
 };
 

@@ -36,6 +36,11 @@ core::Expected<CurveFile> read_curve_file(const std::filesystem::path& path);
 // The curves of the file alone, at least one.
 core::Expected<std::vector<geometry::Polyline>> read_curves(const std::filesystem::path& path);
 
+// The curve through points (3 x n), looked at as those of files are; `closed` as files say it.
+// Errors begin with `name`.
+core::Expected<CurveFile> listed_curve(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
+                                       std::optional<bool> closed, const std::string& name);
+
 // Units that the numbers of a curve may be in: mm, cm, m, in, ft.
 std::span<const std::string_view> curve_units();
 

@@ -1,0 +1,82 @@
+"""A rule and an objective of your own: where on an arch a string is tied, so that its top is low and
+its ends are level, by scipy; the gradient comes back through the pose by one adjoint solve.
+
+The rule is a function of the pose that no scene has a key for: the arch may lean by so much and no
+more. The same derivative is a custom rule of JAX or PyTorch: value(p) forwards, pull_back backwards.
+"""
+
+import matplotlib.pyplot as plt
+import numpy as np
+from scipy.optimize import minimize
+
+import tencer
+
+count, length = 60, 100.0  # cm
+x = np.linspace(0, length, count)
+straight = np.stack([x, 8 * np.sin(np.pi * x / length), 0 * x], axis=1)
+section = tencer.Section.circle(youngs_modulus=4e6, radius=0.2)  # N/cm^2, cm
+rod = tencer.Rod(section, np.full(count - 1, length / (count - 1)))
+strings = [
+    tencer.Cable((0, 0.0), (0, length), stiffness=40, rest_length=80),
+    tencer.Cable((0, 20.0), (0, 75.0), stiffness=40, rest_length=48),
+]
+arch = tencer.Structure([rod], strings, pins=[(0, 0, "xyz")], planar=True)
+pose = tencer.PoseMap(
+    arch,
+    arch.pose([straight]),
+    [("rest_length", 0), ("rest_length", 1), ("s_a", 1), ("s_b", 1)],
+)
+
+
+def objective(positions):
+    """How far the top is from 18 cm above the ends, and the ends from level; and its derivative."""
+    y = positions[0][:, 1]
+    top = np.argmax(y)
+    high, lean = y[top] - 18, y[-1] - y[0]
+    gradient = np.zeros((count, 3))
+    gradient[top, 1] += 2 * high
+    gradient[-1, 1] += 2 * lean
+    gradient[0, 1] -= 2 * lean
+    return high**2 + lean**2, [gradient]
+
+
+def value(p):
+    if not pose.move(p):  # no equilibrium: the line search comes back
+        return 1e6, np.zeros(len(p))
+    found, gradient = objective(pose.positions)
+    return found, pose.pull_back(gradient)
+
+
+before = pose.positions[0]
+found = minimize(
+    value,
+    pose.values,
+    jac=True,
+    method="L-BFGS-B",
+    bounds=[(60, 95), (30, 60), (5, 45), (55, 95)],
+    callback=lambda p: pose.move(p) and pose.commit(),
+    options={"maxiter": 40},
+)
+after = pose.positions[0]
+print(found.message, f"after {found.nfev} equilibria: {found.fun:.2g} cm^2")
+print(f"top {after[:, 1].max():.2f} cm, ends level to {abs(after[-1, 1] - after[0, 1]):.3f} cm")
+
+# The same with tencer's own optimizers, which take gradients as they are.
+own = tencer.minimise(
+    lambda p: value(p)[0],
+    found.x,
+    gradient=lambda p: value(p)[1],
+    lower=[60, 30, 5, 55],
+    upper=[95, 60, 45, 95],
+    method="ipopt",
+    max_iterations=20,
+)
+print(own)
+
+figure, axes = plt.subplots(figsize=(7, 4))
+axes.plot(*before[:, :2].T, "--", label="before")
+axes.plot(*after[:, :2].T, linewidth=3, label="after")
+axes.axhline(18, color="0.7")
+axes.set_aspect("equal")
+axes.legend()
+figure.savefig("custom_objective.png")

@@ -1,0 +1,65 @@
+"""Hold bent elastic rods in a chosen 3D shape with as few cables as possible.
+
+>>> import numpy as np, tencer
+>>> t = np.linspace(0, 2 * np.pi, 80, endpoint=False)
+>>> ring = np.stack([30 * np.cos(t), 20 * np.sin(t), 0 * t], axis=1)
+>>> design = tencer.design(ring, closed=True, max_error=2, effort=1)
+>>> design.complete, len(design.tensions) == len(design.cables)
+(True, True)
+
+Lengths and forces are in the scene's units, cm and N if nothing else is said. What is asked for has
+the names of the scene file (docs/scene.md); docs/python.md is the guide.
+"""
+
+from . import _core, results
+from ._core import (
+    Cable,
+    Curve,
+    Design,
+    Equilibrium,
+    Error,
+    Minimum,
+    Pose,
+    PoseMap,
+    Progress,
+    Rod,
+    Scene,
+    Section,
+    Structure,
+    System,
+    families,
+    minimise,
+    optimizers,
+    read_curves,
+    read_design,
+)
+from .front_door import curves_of_family, design, scene, trade_off
+from .structures import hessian
+
+__all__ = [
+    "Cable",
+    "Curve",
+    "Design",
+    "Equilibrium",
+    "Error",
+    "Minimum",
+    "Pose",
+    "PoseMap",
+    "Progress",
+    "Rod",
+    "Scene",
+    "Section",
+    "Structure",
+    "System",
+    "curves_of_family",
+    "design",
+    "families",
+    "hessian",
+    "minimise",
+    "optimizers",
+    "read_curves",
+    "read_design",
+    "scene",
+    "trade_off",
+]
+__version__ = _core.__version__

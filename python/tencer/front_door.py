@@ -1,0 +1,84 @@
+"""Curves in, cables out."""
+
+import os
+
+from . import _core
+from .keys import Keys, as_curve
+
+
+def scene(curves=None, *, resolution=1.0, **keys):
+    """The scene of curves with any key of a scene file.
+
+    curves: the path of a scene, curve or design file; a Curve, an array (n, 3) or a list of these; a
+        Scene, which comes back as it is; or nothing, when `rod` or `family` says the curves.
+    resolution: vertices of every rod, times what the curves have.
+    keys: of docs/scene.md, all by their names: those of the top level, of [design] and of [[rod]]
+        (which hold for every rod); `rod` is a list of dicts, one a rod; `build` and `edit` are dicts.
+        Arrays stand for lists, `curve` may be an array and `edit["from"]` a Design. In place of what a
+        file says.
+
+    Raises tencer.Error, which names the key or the file and line.
+
+    >>> import tencer
+    >>> print(tencer.scene(family="circle", section={"radius": 0.1}, vertices=60))
+    1 closed rod, 157.0 cm, circle r 1 mm, glass fibre, 9 g; fits in 50 x 50 x 0 cm
+    """
+    if isinstance(curves, _core.Scene):
+        if keys or resolution != 1.0:
+            raise TypeError("a Scene is complete: give its keys to tencer.scene instead")
+        return curves
+    file = None
+    if isinstance(curves, (str, os.PathLike)):
+        file = os.fspath(curves)
+    elif curves is not None:
+        if "rod" in keys:
+            raise TypeError("rod: give the curves, or rod, whose dicts have a curve each")
+        keys["rod"] = [{"curve": curve} for curve in _curves(curves)]
+    said = Keys(keys)
+    return _core.scene(file, said.text, said.curves, said.designs, "design", float(resolution))
+
+
+def design(curves=None, *, progress=None, resolution=1.0, **keys):
+    """Cables that hold the curves: the fewest within max_error, or the closest with so many `cables`.
+
+    curves, resolution, keys: as tencer.scene has them.
+    progress: called with a tencer.Progress now and then, in the calling thread; one that returns
+        something true ends the search with the best design so far, and so does Ctrl-C.
+
+    Raises tencer.Error for bad input. A design that is not all that was asked for is not complete,
+    and design.shortfalls says why.
+    """
+    return _core.design(scene(curves, resolution=resolution, **keys), progress)
+
+
+def trade_off(curves=None, *, progress=None, resolution=1.0, **keys):
+    """How close with how many cables: a design for each number, the fewest first.
+
+    Arguments are those of tencer.design.
+    """
+    return _core.trade_off(scene(curves, resolution=resolution, **keys), progress)
+
+
+def curves_of_family(name, vertices=None, **parameters):
+    """The curves of a built-in family, see tencer.families().
+
+    >>> import tencer
+    >>> tencer.curves_of_family("circle", vertices=50, radius=10)
+    [<Curve: 50 vertices, closed, 62.7905 long>]
+    """
+    return scene(family=name, vertices=vertices, parameters=parameters or None).curves
+
+
+def _curves(given):
+    """Whatever holds curves as a list of them."""
+    if isinstance(given, _core.Curve) or getattr(given, "ndim", 0) == 2 or _is_points(given):
+        given = [given]
+    return [as_curve(one, f"curves[{i}]") for i, one in enumerate(given)]
+
+
+def _is_points(given):
+    """Whether a plain list is of points [x, y, z] rather than of curves."""
+    try:
+        return len(given) > 0 and all(isinstance(number, (int, float)) for number in given[0])
+    except TypeError:
+        return False

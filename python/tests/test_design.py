@@ -1,0 +1,133 @@
+"""The front door: a design, how it is watched and stopped, and what comes back."""
+
+import json
+import os
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import tencer
+from conftest import QUICK
+
+
+def test_a_design_has_arrays(design, trefoil):
+    assert design.complete and design.stands and design.status == "complete"
+    assert design.max_percent <= 5
+    count = len(design.cables)
+    assert design.tensions.shape == design.lengths.shape == (count,)
+    assert (design.tensions > 0).all()
+    assert np.array_equal(design.targets[0], trefoil.points)
+    assert design.poses[0].shape == (40, 3) and design.closed == [True]
+    assert sum(len(marks) for marks in design.marks) == 2 * count
+    spans = design.cable_points[:, 1] - design.cable_points[:, 0]
+    assert np.allclose(np.linalg.norm(spans, axis=1), design.lengths, rtol=1e-6)
+
+
+def test_poses_are_views(design):
+    assert np.shares_memory(design.poses[0], design.poses[0])
+    with pytest.raises(ValueError, match="read-only"):
+        design.poses[0][0, 0] = 1
+
+
+def test_a_view_keeps_its_design():
+    pose = tencer.design(family="circle", vertices=20, time=0.01).poses[0]
+    assert np.isfinite(pose).all()
+
+
+def test_words(design):
+    assert "complete" in design.brief_report()
+    assert "cables" in str(design)
+    assert design.trace[0].keys() >= {"stage", "seconds", "cables", "max_percent"}
+
+
+def test_files(design, tmp_path):
+    design.export(tmp_path / "knot.json")
+    again = tencer.read_design(tmp_path / "knot.json")
+    assert np.array_equal(again.poses[0], design.poses[0])
+    assert json.loads(design.to_json())["schema"] == "tencer-design/2"
+    design.export(tmp_path / "pose.obj")
+    assert np.array_equal(tencer.read_curves(tmp_path / "pose.obj")[0].points, design.poses[0])
+    design.export(tmp_path / "trace.csv")
+    with pytest.raises(ValueError, match="expected an ending among"):
+        design.export(tmp_path / "knot.xyz")
+
+
+def test_progress_is_told_in_the_calling_thread(trefoil):
+    told = []
+    tencer.design(
+        trefoil,
+        **QUICK,
+        progress=lambda at: told.append((threading.get_ident(), at.stage, at.cables)),
+    )
+    assert told and {thread for thread, _, _ in told} == {threading.get_ident()}
+    assert all(cables >= 0 for _, _, cables in told)
+
+
+def test_progress_that_says_so_ends_the_search(trefoil):
+    design = tencer.design(trefoil, max_error=2, effort=3, progress=lambda at: True)
+    assert design.status == "interrupted" and not design.complete
+
+
+def test_what_progress_raises_comes_out(trefoil):
+    def fail(at):
+        raise RuntimeError("enough of " + at.stage)
+
+    with pytest.raises(RuntimeError, match="enough of"):
+        tencer.design(trefoil, max_error=2, progress=fail)
+
+
+def test_the_interpreter_is_free_meanwhile(trefoil):
+    """Another thread counts while the search runs."""
+    counted = 0
+    over = threading.Event()
+
+    def count():
+        nonlocal counted
+        while not over.is_set():
+            counted += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    try:
+        tencer.design(trefoil, **QUICK, threads=1)
+    finally:
+        over.set()
+        thread.join()
+    assert counted > 20
+
+
+def test_ctrl_c_gives_the_best_so_far(trefoil):
+    """Sent once the search tells how far it is, so that there is something to give."""
+
+    def interrupt(at):
+        if not sent:
+            sent.append(at)
+            os.kill(os.getpid(), signal.SIGINT)
+
+    sent = []
+    design = tencer.design(trefoil, max_error=0.01, effort=3, progress=interrupt)
+    assert sent and design.status == "interrupted"
+    assert np.isfinite(design.poses[0]).all()
+
+
+def test_a_trade_off(trefoil):
+    designs = tencer.trade_off(trefoil, **QUICK, time=0.5)
+    counts = [len(design.cables) for design in designs]
+    errors = [design.max_percent for design in designs]
+    assert counts == sorted(counts) and errors == sorted(errors, reverse=True)
+
+
+def test_going_on_from_a_design(design, trefoil):
+    count = len(design.cables)
+    fewer = tencer.design(trefoil, **QUICK, edit={"from": design, "remove": 1})
+    assert len(fewer.cables) <= count - 1
+
+
+def test_scenes_are_complete(trefoil):
+    scene = tencer.scene(trefoil)
+    with pytest.raises(TypeError, match="a Scene is complete"):
+        tencer.design(scene, max_error=1)
