@@ -1,4 +1,4 @@
-"""Builds tencer/_core with CMake. TENCER_BUILD names a build folder to go on from, else one of pip's."""
+"""Builds tencer/_core with CMake, or takes it from the build folder that TENCER_BUILD names."""
 
 import os
 import re
@@ -15,7 +15,6 @@ OPTIONS = {
     "CMAKE_BUILD_TYPE": "Release",
     "CMAKE_CXX_FLAGS_RELEASE": "-O2 -DNDEBUG",
     "TENCER_PYTHON": "ON",
-    "TENCER_APPS": "OFF",
     "TENCER_TESTS": "OFF",
     "TENCER_BENCH": "OFF",
     "TENCER_INSTALL": "OFF",
@@ -29,13 +28,16 @@ class CMakeBuild(build_ext):
             build = self.build_temp
             options = [f"-D{name}={value}" for name, value in OPTIONS.items()]
             subprocess.run(["cmake", "-S", SOURCE, "-B", build, "-G", "Ninja", *options], check=True)
-        subprocess.run(["cmake", "--build", build, "--target", "tencer_python"], check=True)
-        made = next(Path(build, "python", "tencer").glob("_core*.so"))
+            subprocess.run(["cmake", "--build", build, "--target", "tencer_python"], check=True)
+        made = list(Path(build, "python", "tencer").glob("_core*.so"))
+        if not made:
+            raise SystemExit(f"TENCER_BUILD: {build} has no module; build the target tencer_python")
         target = Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
-        self.copy_file(str(made), str(target))
+        self.copy_file(str(made[0]), str(target))
 
 
+(SOURCE / "build").mkdir(exist_ok=True)  # for what setuptools notes of the package
 version = re.search(r"project\(tencer VERSION ([0-9.]+)", (SOURCE / "CMakeLists.txt").read_text())
 setup(
     version=version.group(1),

@@ -76,6 +76,8 @@ print(own)
 figure, axes = plt.subplots(figsize=(7, 4))
 axes.plot(*before[:, :2].T, "--", label="before")
 axes.plot(*after[:, :2].T, linewidth=3, label="after")
+for ends in ([0, length], pose.values[2:]):  # the strings
+    axes.plot(*(np.interp(ends, x, after[:, axis]) for axis in (0, 1)), color="0.3", linewidth=0.8)
 axes.axhline(18, color="0.7")
 axes.set_aspect("equal")
 axes.legend()

@@ -49,7 +49,7 @@ view = figure.add_subplot(121, projection="3d")
 for part, position, _, _ in pushed[::3]:
     view.plot(*np.vstack([position, position[:1]]).T, label=f"{part:.2f}")
 view.set_aspect("equal")
-view.legend(title="cable / diameter", fontsize=7)
+view.legend(title="cable / diameter", fontsize=7, loc="upper left", bbox_to_anchor=(-0.2, 1))
 graph = figure.add_subplot(122)
 graph.plot([part for part, *_ in pushed], [tension for _, _, tension, _ in pushed], "o-")
 graph.set(xlabel="cable / diameter", ylabel="tension, N")

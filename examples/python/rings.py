@@ -8,7 +8,7 @@ rods = [
     {"curve": ring, "section": stock, "material": material}
     for ring, stock, material in zip(rings, stocks, ["glass fibre", "carbon", "carbon"])
 ]
-design = tencer.design(rod=rods, max_error=5, build={"length_error": 0.05}, time=3)  # cm, s
+design = tencer.design(rod=rods, max_error=5, build={"length_error": 0.05}, time=1)  # cm, s
 print(design.report())
 for rod, marks in zip("ABC", design.marks):
     print(f"rod {rod}: mark at", ", ".join(f"{s:.1f} (cable {cable + 1})" for s, cable in marks))

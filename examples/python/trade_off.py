@@ -4,7 +4,7 @@ import matplotlib.pyplot as plt
 
 import tencer
 
-designs = tencer.trade_off(family="trefoil-hypotrochoid", vertices=40, time=2)
+designs = tencer.trade_off(family="trefoil-hypotrochoid", vertices=40, time=1)
 counts = [len(design.cables) for design in designs]
 errors = [design.max_percent for design in designs]
 

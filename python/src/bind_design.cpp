@@ -5,21 +5,11 @@
 #include <tencer/io/trace.hpp>
 #include <tencer/model/design.hpp>
 
-#include "arrays.hpp"
-#include "bind.hpp"
+#include "cable_rows.hpp"
 #include "errors.hpp"
+#include "parts.hpp"
 
 namespace tencer::python {
-
-// A cable in a row of an array: an end is on a rod at arc length s, or at an anchor, and the other
-// is -1.
-struct CableRow {
-  int rod_a = -1, anchor_a = -1;
-  double s_a = 0.0;
-  int rod_b = -1, anchor_b = -1;
-  double s_b = 0.0;
-  double length = 0.0, tension = 0.0, stiffness = 0.0, rest_length = 0.0;
-};
 
 namespace {
 
@@ -36,16 +26,9 @@ void put_end(const springs::End& end, int& rod, int& anchor, double& s) {
 
 py::array_t<CableRow> cables(const Design& design) {
   std::vector<CableRow> rows;
-  for (std::size_t i = 0; i < design.structure.cables.size(); ++i) {
-    const springs::Cable& cable = design.structure.cables[i];
-    CableRow row{.length = design.built[i].length,
-                 .tension = design.built[i].tension,
-                 .stiffness = cable.stiffness,
-                 .rest_length = cable.rest_length};
-    put_end(cable.a, row.rod_a, row.anchor_a, row.s_a);
-    put_end(cable.b, row.rod_b, row.anchor_b, row.s_b);
-    rows.push_back(row);
-  }
+  for (std::size_t i = 0; i < design.structure.cables.size(); ++i)
+    rows.push_back(
+        row_of(design.structure.cables[i], design.built[i].length, design.built[i].tension));
   return table(rows);
 }
 
@@ -93,6 +76,16 @@ std::string json_of(const Design& design) {
 
 }  // namespace
 
+CableRow row_of(const springs::Cable& cable, double length, double tension) {
+  CableRow row{.length = length,
+               .tension = tension,
+               .stiffness = cable.stiffness,
+               .rest_length = cable.rest_length};
+  put_end(cable.a, row.rod_a, row.anchor_a, row.s_a);
+  put_end(cable.b, row.rod_b, row.anchor_b, row.s_b);
+  return row;
+}
+
 void bind_design(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(CableRow, rod_a, anchor_a, s_a, rod_b, anchor_b, s_b, length, tension,
                        stiffness, rest_length);
@@ -128,11 +121,7 @@ void bind_design(py::module_& module) {
           },
           "Per rod, whether it is closed.")
       .def_property_readonly("curves", &pose_curves, "The poses as curves.")
-      .def_property_readonly(
-          "cables", &cables,
-          "One row a cable: rod_a, s_a (arc length at rest) or anchor_a, the others -1; likewise "
-          "b; "
-          "length and tension as built; stiffness and rest_length as a spring, 0 if it is none.")
+      .def_property_readonly("cables", &cables, cable_columns)
       .def_property_readonly("cable_points", &cable_points,
                              "Where cables end in the pose, (cables, 2, 3), lengths.")
       .def_property_readonly(

@@ -6,9 +6,9 @@
 #include <tencer/pipeline/simulate.hpp>
 
 #include "arrays.hpp"
-#include "bind.hpp"
 #include "errors.hpp"
 #include "long_call.hpp"
+#include "parts.hpp"
 
 namespace tencer::python {
 namespace {

@@ -10,8 +10,8 @@
 #include <tencer/model/scene.hpp>
 
 #include "arrays.hpp"
-#include "bind.hpp"
 #include "errors.hpp"
+#include "parts.hpp"
 
 namespace tencer::python {
 namespace {

@@ -1,6 +1,6 @@
 #include "errors.hpp"
 
-#include "bind.hpp"
+#include "parts.hpp"
 
 namespace tencer::python {
 

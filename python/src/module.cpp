@@ -12,4 +12,5 @@ PYBIND11_MODULE(_core, module) {
   bind_runs(module);
   bind_structure(module);
   bind_optimize(module);
+  bind_search(module);
 }

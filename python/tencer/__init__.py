@@ -1,9 +1,9 @@
 """Hold bent elastic rods in a chosen 3D shape with as few cables as possible.
 
 >>> import numpy as np, tencer
->>> t = np.linspace(0, 2 * np.pi, 80, endpoint=False)
+>>> t = np.linspace(0, 2 * np.pi, 40, endpoint=False)
 >>> ring = np.stack([30 * np.cos(t), 20 * np.sin(t), 0 * t], axis=1)
->>> design = tencer.design(ring, closed=True, max_error=2, effort=1)
+>>> design = tencer.design(ring, closed=True, max_error=5, effort=1)
 >>> design.complete, len(design.tensions) == len(design.cables)
 (True, True)
 
@@ -19,8 +19,10 @@ from ._core import (
     Equilibrium,
     Error,
     Minimum,
+    Network,
     Pose,
     PoseMap,
+    Problem,
     Progress,
     Rod,
     Scene,
@@ -33,7 +35,7 @@ from ._core import (
     read_curves,
     read_design,
 )
-from .front_door import curves_of_family, design, scene, trade_off
+from .front_door import curves_of_family, design, prepare, scene, trade_off
 from .structures import hessian
 
 __all__ = [
@@ -43,8 +45,10 @@ __all__ = [
     "Equilibrium",
     "Error",
     "Minimum",
+    "Network",
     "Pose",
     "PoseMap",
+    "Problem",
     "Progress",
     "Rod",
     "Scene",
@@ -57,6 +61,7 @@ __all__ = [
     "hessian",
     "minimise",
     "optimizers",
+    "prepare",
     "read_curves",
     "read_design",
     "scene",

@@ -21,7 +21,7 @@ def scene(curves=None, *, resolution=1.0, **keys):
 
     >>> import tencer
     >>> print(tencer.scene(family="circle", section={"radius": 0.1}, vertices=60))
-    1 closed rod, 157.0 cm, circle r 1 mm, glass fibre, 9 g; fits in 50 x 50 x 0 cm
+    1 closed rod, 157 cm, circle r 1 mm, glass fibre, 9.4 g; fits in 50 x 50 x 0 cm
     """
     if isinstance(curves, _core.Scene):
         if keys or resolution != 1.0:
@@ -57,6 +57,14 @@ def trade_off(curves=None, *, progress=None, resolution=1.0, **keys):
     Arguments are those of tencer.design.
     """
     return _core.trade_off(scene(curves, resolution=resolution, **keys), progress)
+
+
+def prepare(curves=None, *, resolution=1.0, **keys):
+    """The tencer.Problem of a scene, for those who run the search's stages one by one.
+
+    Arguments are those of tencer.scene.
+    """
+    return _core.prepare(scene(curves, resolution=resolution, **keys))
 
 
 def curves_of_family(name, vertices=None, **parameters):

@@ -49,7 +49,8 @@ def _plot(design, axes=None):
     if len(design.anchors):
         axes.scatter(*design.anchors.T, marker="s", color="0.3")
     axes.set_aspect("equal")
-    axes.set(xlabel=design.length_unit, title=design.brief_report())
+    error = "" if design.max_percent is None else f", {design.max_percent:.2g} % from the target"
+    axes.set(xlabel=design.length_unit, title=f"{design.name}: {len(design.cables)} cables{error}")
     return axes
 
 

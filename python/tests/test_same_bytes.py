@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import tencer
-from conftest import QUICK
+from conftest import QUICK, trefoil_points
 
 PROGRAM = os.environ.get("TENCER_PROGRAM")
 FRONT_DOOR = os.environ.get("TENCER_FRONT_DOOR")
@@ -20,9 +20,10 @@ def but_seconds(text):
 
 
 @pytest.mark.skipif(not PROGRAM, reason="TENCER_PROGRAM and TENCER_FRONT_DOOR name the programs")
-def test_same_bytes(tmp_path, trefoil):
+def test_same_bytes(tmp_path):
     curve = tmp_path / "design.csv"
-    points = np.vstack([trefoil.points, trefoil.points[:1]])
+    points = trefoil_points(24)
+    points = np.vstack([points, points[:1]])
     curve.write_text("\n".join(",".join(map(repr, point)) for point in points.tolist()))
 
     subprocess.run([FRONT_DOOR, curve, tmp_path / "cpp.json"], check=True)
