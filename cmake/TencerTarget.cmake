@@ -2,8 +2,9 @@
 include_guard(GLOBAL)
 
 add_library(tencer_warnings INTERFACE)
+# Sources that are compiled together (TENCER_UNITY) see each other's names.
 target_compile_options(tencer_warnings INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+  -Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:${TENCER_UNITY}>>:-Wshadow> -Wconversion -Wno-sign-conversion)
 # A compiler that nobody has tried may warn of more; that must not break a build.
 set(tried_GNU 12)
 set(tried_Clang 14)

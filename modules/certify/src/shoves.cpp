@@ -38,7 +38,7 @@ Eigen::VectorXd step_of(const System& system, const VibrationModes& modes, const
   return step;
 }
 
-struct Edge {
+struct EdgeVertices {
   int rod = 0;
   int a = 0;  // its vertices
   int b = 0;
@@ -48,21 +48,21 @@ struct Edge {
 // on the straight way from one place to the other in equal steps.
 bool strands_meet(const model::Structure& structure, const Positions& from, const Positions& to) {
   constexpr int steps = 16;
-  std::vector<Edge> edges;
+  std::vector<EdgeVertices> edges;
   for (int r = 0; r < static_cast<int>(from.size()); ++r)
     for (int j = 0; j < structure.rods[r].edges(); ++j)
       edges.push_back({r, j, (j + 1) % structure.rods[r].vertices()});
   const auto move = [&](int rod, int v) -> Eigen::Vector3d {
     return to[rod].col(v) - from[rod].col(v);
   };
-  const auto relative = [&](const Edge& one, const Edge& other) {
+  const auto relative = [&](const EdgeVertices& one, const EdgeVertices& other) {
     double largest = 0;
     for (const int v : {one.a, one.b})
       for (const int w : {other.a, other.b})
         largest = std::max(largest, (move(one.rod, v) - move(other.rod, w)).norm());
     return largest;
   };
-  const auto distance = [&](const Edge& one, const Edge& other, double t) {
+  const auto distance = [&](const EdgeVertices& one, const EdgeVertices& other, double t) {
     const auto at = [&](int rod, int v) -> Eigen::Vector3d {
       return (1 - t) * from[rod].col(v) + t * to[rod].col(v);
     };
@@ -72,8 +72,8 @@ bool strands_meet(const model::Structure& structure, const Positions& from, cons
   };
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (std::size_t j = i + 1; j < edges.size(); ++j) {
-      const Edge& one = edges[i];
-      const Edge& other = edges[j];
+      const EdgeVertices& one = edges[i];
+      const EdgeVertices& other = edges[j];
       const bool neighbours = one.rod == other.rod && (one.a == other.b || one.b == other.a);
       if (neighbours) continue;
       const double against = relative(one, other);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <tencer/io/design.hpp>
 
 #include "design/json_value.hpp"
@@ -12,6 +13,8 @@ namespace tencer::io {
 
 inline constexpr const char* design_schema = "tencer-design/2";
 inline constexpr const char* older_schema = "tencer-design/1";  // read, not written
+
+inline constexpr std::string_view axis_names = "xyz";  // as pins have them
 
 // Throws BadInput for everything design.hpp says is checked.
 model::Design design_from_json(const JsonValue& root);

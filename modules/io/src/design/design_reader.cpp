@@ -13,8 +13,6 @@ namespace {
 
 using namespace model;
 
-constexpr std::string_view axis_names = "xyz";
-
 std::string optional_text(const JsonValue& object, std::string_view key) {
   return object.has(key) ? object[key].text() : std::string();
 }

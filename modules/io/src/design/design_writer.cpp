@@ -10,8 +10,6 @@ namespace {
 using namespace model;
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view axis_names = "xyz";
-
 Json to_json(const Eigen::VectorXd& numbers) {
   return Json(std::vector<double>(numbers.begin(), numbers.end()));
 }

@@ -11,7 +11,7 @@
 namespace tencer::io {
 namespace {
 
-void read_rod(const JsonValue& value, model::Design& design) {
+void read_published_rod(const JsonValue& value, model::Design& design) {
   der::Rod rod;
   rod.closed = value["closed"].boolean();
   rod.section = published_section(value["youngs_modulus"], value["radius"]);
@@ -75,7 +75,7 @@ model::Design design_from_published(const JsonValue& root) {
   model::Design design;
   model::Structure& structure = design.structure;
   if (root.has("name")) design.name = root["name"].text();
-  for (const JsonValue& rod : root["rods"].items()) read_rod(rod, design);
+  for (const JsonValue& rod : root["rods"].items()) read_published_rod(rod, design);
   if (structure.rods.empty()) root["rods"].fail("expected at least one rod");
   if (root.has("anchors")) structure.anchors = root["anchors"].points();
   structure.planar = are_flat(design.target);
