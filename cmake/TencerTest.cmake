@@ -26,7 +26,8 @@ function(tencer_test name)
   foreach(source IN LISTS sources)
     file(STRINGS ${source} cases REGEX "TEST_CASE|SCENARIO" LIMIT_COUNT 1)
     cmake_path(GET source STEM stem)
-    if(cases)
+    # A hidden case is for whoever runs it by name.
+    if(cases AND NOT cases MATCHES "\\[\\.")
       add_test(NAME ${name}/${stem}
         COMMAND test_${name} --filenames-as-tags --warn NoTests "[#${stem}]")
     endif()
