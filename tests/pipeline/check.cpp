@@ -5,6 +5,7 @@
 #include <numbers>
 #include <tencer/model/material.hpp>
 #include <tencer/pipeline/check.hpp>
+#include <tencer/pipeline/vibrations.hpp>
 
 using namespace tencer;
 using Catch::Matchers::Contains;
@@ -91,6 +92,18 @@ TEST_CASE("a glass fibre rod clamped at one end sounds and sags as a beam, in Hz
   REQUIRE(check.comes_back);
   for (const auto& pushes : check.comes_back->pushes) CHECK(pushes.back == pushes.tried);
   CHECK(model::shortfalls(check, {"cm", "N"}).empty());
+}
+
+TEST_CASE("a design's vibrations are those of its check, and a clamped end stays where it is") {
+  const auto checked = pipeline::check(cantilever());
+  REQUIRE(checked);
+  const auto found = pipeline::vibrations(checked->design, 3);
+  REQUIRE(found.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK_THAT(found[i].hertz, WithinRel(checked->check.stands->hertz[i], 1e-9));
+  REQUIRE(found[0].shape.size() == 1);
+  CHECK(found[0].shape[0].leftCols(2).norm() == 0);
+  CHECK_THAT(found[0].shape[0].col(edges).cwiseAbs().maxCoeff(), WithinRel(1.0, 1e-9));
 }
 
 TEST_CASE("weight that is among the loads is in the pose") {
