@@ -63,5 +63,6 @@ void add_simulate(CLI::App& app, Command& chosen);
 void add_stress(CLI::App& app, Command& chosen);
 void add_study(CLI::App& app, Command& chosen);
 void add_target(CLI::App& app, Command& chosen);
+void add_view(CLI::App& app, Command& chosen);
 
 }  // namespace tencer::app

@@ -9,6 +9,7 @@
 #include <tencer/io/feasibility.hpp>
 #include <tencer/io/file.hpp>
 #include <tencer/io/trace.hpp>
+#include <utility>
 #include <vector>
 
 #include "picture.hpp"
@@ -19,13 +20,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<io::NamedText> files_of(const model::Design& design) {
+std::vector<io::NamedText> files_of(const model::Design& design, std::string page) {
   std::vector<geometry::Polyline> poses;
   for (std::size_t r = 0; r < design.pose.size(); ++r)
     poses.push_back(model::pose_curve(design, r));
   return {{"design.json", io::design_text(design)}, {"trace.csv", io::trace_text(design.trace)},
           {"pose.obj", io::obj_text(poses)},        {"report.txt", model::findings(design)},
-          {"view.html", view_page(design)},         {"picture.svg", picture_svg(design)}};
+          {"view.html", std::move(page)},           {"picture.svg", picture_svg(design)}};
+}
+
+// All designs on one page, which opens with the one asked for.
+std::string trade_off_page(std::span<const model::Design> designs, const model::Design& asked) {
+  std::vector<PageDesign> shown;
+  std::size_t first = 0;
+  for (const auto& design : designs) {
+    if (design.structure.cables.size() == asked.structure.cables.size()) first = shown.size();
+    shown.push_back({.design = design});
+  }
+  return view_page(shown, first);
 }
 
 std::string trade_off_csv(std::span<const model::Design> designs) {
@@ -82,7 +94,7 @@ class NewFolders {
 std::optional<core::Error> write_design_files(const std::filesystem::path& folder,
                                               const model::Design& design) {
   if (auto error = io::design_problem(folder / "design.json", design)) return error;
-  return io::write_files(folder, files_of(design));
+  return io::write_files(folder, files_of(design, view_page(design)));
 }
 
 std::optional<core::Error> write_trade_off(const std::filesystem::path& folder,
@@ -100,7 +112,7 @@ std::optional<core::Error> write_trade_off(const std::filesystem::path& folder,
   }
   for (const auto& design : designs)
     if (auto error = write_design_files(folder_of(design), design)) return error;
-  std::vector<io::NamedText> files = files_of(asked);
+  std::vector<io::NamedText> files = files_of(asked, trade_off_page(designs, asked));
   files.push_back({"trade-off.csv", trade_off_csv(designs)});
   if (auto error = io::write_files(folder, files)) return error;
   made.keep();

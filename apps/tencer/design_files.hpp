@@ -16,9 +16,10 @@ namespace tencer::app {
 std::optional<core::Error> write_design_files(const std::filesystem::path& folder,
                                               const model::Design& design);
 
-// In `folder` the files of the design asked for and trade-off.csv, one line a design, and in a
-// folder cables-N for each number N of cables the files of that design. The folders of designs come
-// first, each all or nothing; on an Error those that are new are removed again.
+// In `folder` the files of the design asked for, with all designs in view.html, and trade-off.csv,
+// one line a design; and in a folder cables-N for each number N of cables the files of that design.
+// The folders of designs come first, each all or nothing; on an Error those that are new are
+// removed again.
 std::optional<core::Error> write_trade_off(const std::filesystem::path& folder,
                                            std::span<const model::Design> designs,
                                            const model::Design& asked);

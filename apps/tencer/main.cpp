@@ -16,6 +16,7 @@ constexpr const char* examples = R"(Examples:
   tencer design knot.obj -o knot                     design cables that hold a rod in this shape
   tencer simulate knot/design.json                   let the design settle
   tencer check knot/design.json                      find out whether it can be built
+  tencer view knot/design.json --open                look at it in the browser
   tencer fabricate knot/design.json                  print what is needed to build it
 
 Exit codes: 0 done; 1 unexpected failure; 2 bad input or options, nothing written; 3 the tolerance
@@ -65,6 +66,7 @@ int run(int argc, char** argv) {
   add_feasible(app, chosen);
   add_simulate(app, chosen);
   add_check(app, chosen);
+  add_view(app, chosen);
   add_fabricate(app, chosen);
   add_target(app, chosen);
   add_stress(app, chosen);

@@ -1,6 +1,9 @@
 #include "view_page.hpp"
 
+#include <array>
+#include <string_view>
 #include <tencer/core/error.hpp>
+#include <utility>
 
 #include "picture.hpp"
 #include "view_template.hpp"
@@ -20,22 +23,36 @@ std::string script_safe(const std::string& json) {
   return result;
 }
 
+// The template with the texts in place of these marks, which it has in this order.
+std::string filled(const std::array<std::pair<std::string_view, std::string>, 2>& texts) {
+  std::string page;
+  std::size_t from = 0;
+  for (const auto& [mark, text] : texts) {
+    const std::size_t at = view_template.find(mark, from);
+    core::require(at != std::string_view::npos, "view_page: the template has lost its marks");
+    page += view_template.substr(from, at - from);
+    page += text;
+    from = at + mark.size();
+  }
+  page += view_template.substr(from);
+  return page;
+}
+
 }  // namespace
 
+std::string view_page(std::span<const PageDesign> designs, std::size_t first) {
+  core::require(first < designs.size(), "view_page: needs the design it opens with");
+  std::string data = "{\"first\":" + std::to_string(first) + ",\"designs\":[";
+  for (const PageDesign& shown : designs)
+    data += (&shown == &designs.front() ? "\n" : ",\n") + page_data(shown);
+  data += "]}";
+  return filled(
+      {{{"@PICTURE@", picture_svg(designs[first].design)}, {"@DESIGNS@", script_safe(data)}}});
+}
+
 std::string view_page(const model::Design& design) {
-  constexpr std::string_view picture_mark = "@PICTURE@";
-  constexpr std::string_view design_mark = "@DESIGN@";
-  const auto picture_at = view_template.find(picture_mark);
-  const auto design_at = view_template.find(design_mark);
-  core::require(picture_at < design_at && design_at != std::string_view::npos,
-                "view_page: the template has lost its marks");
-  std::string page(view_template.substr(0, picture_at));
-  page += picture_svg(design);
-  const auto after_picture = picture_at + picture_mark.size();
-  page += view_template.substr(after_picture, design_at - after_picture);
-  page += script_safe(io::design_text(design));
-  page += view_template.substr(design_at + design_mark.size());
-  return page;
+  const PageDesign shown{.design = design};
+  return view_page(std::span(&shown, 1));
 }
 
 }  // namespace tencer::app

@@ -43,6 +43,7 @@ endforeach()
 refused("--paper: " "a4,letter" fabricate design.json --paper a3)
 refused("--price-rod: " "expected a positive number, found 0" fabricate design.json --price-rod 0)
 refused("none.json: " "there is no such file" fabricate none.json -o out)
+refused("none.json: " "there is no such file" view none.json -o page.html)
 if(MMA)
   refused("--hessian: " "belongs to the optimizer ipopt"
     design ring.obj -o out --optimizer mma --hessian exact)

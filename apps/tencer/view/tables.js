@@ -1,154 +1,136 @@
-// The page around the 3D view: facts, cut list, marks. Defines `page`, which the view uses.
-'use strict';
-const page = (() => {
-  const design = JSON.parse(document.getElementById('design').textContent);
-  const byId = (id) => document.getElementById(id);
+// What to cut and where to mark it; the rods, what holds and loads them, and what comes near what.
+import { arcLengthAt, cableNotes, pointAt, rodLength } from './data.js';
+import { byId, change, markedIndex, onChange, page, seenDesign } from './page.js';
+import { pairInWords } from './closest.js';
+import { fillTable, makeChoosable, tableSection } from './table.js';
+import { saveCsv } from './save.js';
+import { forceText, lengthText, massText, pointText, smallLength, unitOf } from './units.js';
+import { anchorName, endName, rodInWords, rodName } from './words.js';
 
-  function element(tag, text, className) {
-    const result = document.createElement(tag);
-    if (text !== undefined) result.textContent = text;
-    if (className) result.className = className;
-    return result;
+let cableRows = [];
+let closestRows = [];
+
+function cutList(design) {
+  const titles = ['cable', `length ${unitOf(design)}`, 'from', 'to', `tension ${design.force_unit}`, ''];
+  const rows = design.cables.map((cable, i) => [String(i + 1), lengthText(design, cable.length),
+    endName(design, cable.a), endName(design, cable.b), forceText(cable.tension),
+    cableNotes(design, i).join(', ')]);
+  return { titles, rows };
+}
+
+function showCutList() {
+  const design = seenDesign();
+  const { titles, rows } = cutList(design);
+  const total = design.cables.reduce((sum, cable) => sum + cable.length, 0);
+  cableRows = fillTable(byId('cables'), titles, rows, [2, 3, 5],
+    ['total', lengthText(design, total), '', '', '', '']);
+  makeChoosable(cableRows, (i) =>
+    change({ chosen: page.chosen && page.chosen.cable === i ? null : { cable: i }, hovered: null }));
+  markRows();
+}
+
+// Where to mark each rod, along its length: per rod the rows.
+function marksOf(design) {
+  return design.rods.map((rod, r) => design.cables
+    .flatMap((cable, i) => [[cable.a, cable.b, i], [cable.b, cable.a, i]])
+    .filter(([end]) => end.rod === r).sort(([a], [b]) => a.s - b.s)
+    .map(([end, other, i]) => [lengthText(design, end.s), String(i + 1), endName(design, other)]));
+}
+
+function showMarks() {
+  const design = seenDesign();
+  const sections = marksOf(design).map((rows, r) => rows.length &&
+    tableSection(`Marks on ${rodInWords(design, r)}`, [`s ${unitOf(design)}`, 'cable', 'goes to'],
+      rows, [2])).filter((section) => section);
+  byId('marks').replaceChildren(...sections);
+}
+
+function rodSection(design) {
+  const rows = design.rods.map((rod, r) => {
+    const along = rod.pose[1].map((x, axis) => x - rod.pose[0][axis]);
+    const length = Math.hypot(...along);
+    return [rodName(r), lengthText(design, rodLength(rod)), rod.closed ? 'joined' : 'open',
+      rod.section_words || 'not known', rod.material_words || 'not known',
+      rod.grams === null ? 'not known' : massText(rod.grams), pointText(design, rod.pose[0]),
+      `(${along.map((x) => (x / length).toFixed(2)).join(', ')})`];
+  });
+  return tableSection('Rods', ['rod', `length ${unitOf(design)}`, 'ends', 'section', 'material',
+    'weight', `start, or joint ${unitOf(design)}`, 'direction there'], rows, [2, 3, 4, 6, 7]);
+}
+
+function supportRows(design) {
+  const perLength = (v) => `(${v.map((x) => forceText(x)).join(', ')})`;
+  return [
+    ...design.anchors.map((p, i) => [anchorName(i), pointText(design, p), '']),
+    ...design.pinned.map((pin) => {
+      const rod = design.rods[pin.rod];
+      return [`pin of ${rodInWords(design, pin.rod)} at ${lengthText(design, arcLengthAt(rod, pin.vertex))}`,
+        pointText(design, rod.pose[pin.vertex]), `holds ${[...pin.axes].join(', ')}`];
+    }),
+    ...design.point_loads.map((load) =>
+      [`load on ${rodInWords(design, load.rod)} at ${lengthText(design, load.s)}`,
+        pointText(design, pointAt(design.rods[load.rod], load.s)),
+        `${perLength(load.force)} ${design.force_unit}`]),
+    ...design.line_loads.map((load) => [`weight, or load all along ${rodInWords(design, load.rod)}`, '',
+      `${perLength(load.force_per_length)} ${design.force_unit} per ${design.length_unit}`]),
+  ];
+}
+
+function showMore() {
+  const design = seenDesign();
+  const more = [];
+  if (design.closest.length) {
+    const section = tableSection('What comes nearest', ['', 'distance', 'where'],
+      design.closest.map((pair) => [pair.kind, pair.distance === null ? 'not known'
+        : smallLength(design, pair.distance) + (pair.distance < 0 ? ': overlap' : ''),
+        pairInWords(design, pair)]), [0, 2], 'Between surfaces. A click shows where it is.');
+    section.id = 'closest';
+    closestRows = [...section.querySelectorAll('tbody tr')];
+    makeChoosable(closestRows, (i) => change({ hovered: null,
+      chosen: page.chosen && page.chosen.closest === i ? null : { closest: i } }));
+    more.push(section);
   }
+  more.push(rodSection(design));
+  const supports = supportRows(design);
+  if (supports.length) more.push(tableSection('Anchors, pins and loads',
+    ['', `place ${unitOf(design)}`, ''], supports, [0, 1, 2]));
+  byId('more').replaceChildren(...more);
+  markRows();
+}
 
-  // A tenth of a millimetre is all that anyone cuts.
-  const decimals = { mm: 1, cm: 2, m: 4 }[design.length_unit] ?? 3;
-  const length = (value) => value.toFixed(decimals);
-  const significant = (value, digits) =>
-    value === 0 ? '0' : Math.abs(value) >= 1e5 || Math.abs(value) < 1e-3
-      ? value.toExponential(digits - 1)
-      : value.toLocaleString('en', { maximumSignificantDigits: digits, useGrouping: false });
-  const tension = (value) => significant(value, 3);
+function markRows() {
+  const mark = (rows, kind) => rows.forEach((row, i) => {
+    row.className = i === markedIndex(kind) ? 'chosen' : '';
+    row.setAttribute('aria-selected', String(i === markedIndex(kind)));
+  });
+  mark(cableRows, 'cable');
+  mark(closestRows, 'closest');
+}
 
-  // Names as tencer/core/names.hpp has them: rods by letter, so that they are not taken for the
-  // cables' numbers; the only one needs none.
-  const only = design.rods.length === 1;
-  const rodName = (rod) =>
-    (rod >= 26 ? rodName(Math.floor(rod / 26) - 1) : '') + String.fromCharCode(65 + rod % 26);
-  const anchorName = (anchor) => `anchor ${anchor + 1}`;
-  const rodInWords = (rod) => only ? 'the rod' : `rod ${rodName(rod)}`;
-  const cableInWords = (cable) => `cable ${cable + 1}`;
-  const placeInWords = (rod, s) =>
-    only ? `${length(s)} along the rod` : `${rodName(rod)} at ${length(s)}`;
-  const endName = (end) =>
-    end.anchor === undefined ? placeInWords(end.rod, end.s) : anchorName(end.anchor);
+export function scrollToCable(i) {
+  cableRows[i].scrollIntoView({ block: 'nearest', behavior: 'smooth' });
+}
 
-  function facts() {
-    const title = design.name || 'tencer design';
-    document.title = title;
-    byId('name').textContent = title;
-    const warnings = {
-      'tolerance-not-reached': 'This design falls short of what was asked for.',
-      interrupted: 'The search was interrupted; this is the best design until then.',
-    };
-    if (warnings[design.status]) {
-      byId('status').textContent = warnings[design.status];
-      byId('status').className = 'bad';
-    }
-    const list = byId('facts');
-    const add = (name, value, className) => {
-      const item = element('div');
-      item.append(element('dt', name), element('dd', value, className));
-      list.append(item);
-    };
-    add('cables', design.cables.length);
-    add('rods', design.rods.map((rod) => rod.rest_lengths.reduce((a, b) => a + b, 0))
-      .map((sum, i) => `${only ? '' : `${rodName(i)}: `}${length(sum)} ${design.length_unit}`)
-      .join(', '));
-    if (design.error) {
-      add('largest error', `${significant(design.error.max_percent, 3)} %`);
-      add('rms error', `${significant(design.error.rms_percent, 3)} %`);
-    }
-    const certificate = design.certificate;
-    if (!certificate) return add('certificate', 'none');
-    const passed = design.check && design.check.passed && design.check.stands;
-    add('in this pose', certificate.stable ? 'it stands' : 'it does not stand',
-      certificate.stable ? (passed ? 'good' : '') : 'bad');
-    add('slack cables', certificate.slack_cables, certificate.slack_cables ? 'bad' : '');
-    add('smallest eigenvalue',
-      `${significant(certificate.smallest_eigenvalue, 3)} ${certificate.eigenvalue_unit || ''}`);
-    add('residual', significant(certificate.residual, 2));
-  }
+function showTables() {
+  const design = seenDesign();
+  closestRows = [];
+  showCutList();
+  showMarks();
+  showMore();
+  byId('save-marks').hidden = !design.cables.length;
+}
 
-  // What the check says, a line a section; good is only what it passed.
-  function check() {
-    const list = byId('check');
-    const add = (section, text, className) =>
-      list.append(element('dt', section, className), element('dd', text));
-    const found = design.check ? design.check.lines : [];
-    const told = ['repair', 'weight']; // for people to judge
-    found.forEach((line) =>
-      add(line.section, line.text, line.fails ? 'bad' : told.includes(line.section) ? '' : 'good'));
-    // Whether it stands is among the facts anyway.
-    const missing = (design.check ? design.check.not_looked_at : ['whether it can be built'])
-      .filter((name) => name !== 'stands' || !design.certificate);
-    if (missing.length) add('not checked', `${missing.join(', ')}: run tencer check`);
-    (design.check ? design.check.fails : []).forEach((fail) => add('fails', fail, 'bad'));
-  }
-
-  function row(cells, tag, textColumns) {
-    const result = element('tr');
-    cells.forEach((cell, i) =>
-      result.append(element(tag, cell, textColumns.includes(i) ? 'text' : '')));
-    return result;
-  }
-
-  function table(target, titles, rows, textColumns) {
-    const head = element('thead');
-    head.append(row(titles, 'th', textColumns));
-    const body = element('tbody');
-    rows.forEach((cells) => body.append(row(cells, 'td', textColumns)));
-    target.append(head, body);
-    return body;
-  }
-
-  const listTitles = ['cable', `length ${design.length_unit}`, 'from', 'to',
-    `tension ${design.force_unit}`];
-  const listRows = design.cables.map((cable, i) =>
-    [i + 1, length(cable.length), endName(cable.a), endName(cable.b), tension(cable.tension)]);
-
-  function cutList() {
-    const body = table(byId('cables'), listTitles, listRows, [2, 3]);
-    const total = design.cables.reduce((sum, cable) => sum + cable.length, 0);
-    const foot = element('tfoot');
-    foot.append(row(['total', length(total), '', '', ''], 'td', []));
-    byId('cables').append(foot);
-    byId('save-list').onclick = () => {
-      const text = [listTitles, ...listRows].map((cells) => cells.join(',')).join('\n') + '\n';
-      const link = element('a');
-      link.href = URL.createObjectURL(new Blob([text], { type: 'text/csv' }));
-      link.download = 'cut-list.csv';
-      link.click();
-      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-    };
-    return [...body.rows];
-  }
-
-  // Where to mark each rod, along its length.
-  function marks() {
-    design.rods.forEach((rod, r) => {
-      const ends = design.cables.flatMap((cable, i) => [[cable.a, cable.b, i], [cable.b, cable.a, i]])
-        .filter(([end]) => end.rod === r).sort(([a], [b]) => a.s - b.s);
-      if (!ends.length) return;
-      const result = element('table');
-      table(result, [`s ${design.length_unit}`, 'cable', 'goes to'],
-        ends.map(([end, other, i]) => [length(end.s), i + 1, endName(other)]), [2]);
-      const scroll = element('div', undefined, 'scroll');
-      scroll.append(result);
-      byId('marks').append(element('h2', `Marks on ${rodInWords(r)}`), scroll);
-    });
-  }
-
-  function description(i) {
-    const cable = design.cables[i];
-    return [cableInWords(i), `from ${endName(cable.a)}`, `to ${endName(cable.b)}`,
-      `length ${length(cable.length)} ${design.length_unit}`,
-      `tension ${tension(cable.tension)} ${design.force_unit}`];
-  }
-
-  facts();
-  check();
-  const rows = cutList();
-  marks();
-  return { design, byId, element, rodInWords, anchorName, tension, description, rows };
-})();
+export function startTables() {
+  byId('save-list').onclick = () => {
+    const { titles, rows } = cutList(seenDesign());
+    saveCsv('cut-list', [...titles.slice(0, -1), 'note'], rows);
+  };
+  byId('save-marks').onclick = () => {
+    const design = seenDesign();
+    saveCsv('marks', ['rod', `s ${unitOf(design)}`, 'cable', 'goes to'],
+      marksOf(design).flatMap((rows, r) => rows.map((cells) => [rodName(r), ...cells])));
+  };
+  onChange(['design', 'unit'], showTables);
+  onChange(['chosen', 'hovered'], markRows);
+  showTables();
+}

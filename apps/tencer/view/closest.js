@@ -1,0 +1,34 @@
+// Where strands, cables and marks come nearest to each other.
+import { pointAt, sizeOf } from './data.js';
+import { markedIndex, onChange, seenDesign } from './page.js';
+import { cableInWords, placeInWords } from './words.js';
+import { showGroup, vector } from './world.js';
+
+const nearColour = 0xff5a1f;
+
+export function pairInWords(design, pair) {
+  return [...pair.cables.map(cableInWords),
+    ...pair.places.map((place) => placeInWords(design, place.rod, place.s))].join(' and ');
+}
+
+function showClosest() {
+  const design = seenDesign();
+  const pair = design.closest[markedIndex('closest')];
+  if (!pair) return showGroup('closest', []);
+  const size = sizeOf(design);
+  const points = pair.places.map((place) => vector(pointAt(design.rods[place.rod], place.s)));
+  const balls = points.map((point) => {
+    const ball = new THREE.Mesh(new THREE.SphereBufferGeometry(size / 70, 20, 14),
+      new THREE.MeshBasicMaterial({ color: nearColour, transparent: true, opacity: 0.75,
+        depthTest: false }));
+    ball.position.copy(point);
+    ball.renderOrder = 2;
+    return ball;
+  });
+  const line = new THREE.LineSegments(new THREE.BufferGeometry().setFromPoints(points),
+    new THREE.LineBasicMaterial({ color: nearColour, depthTest: false }));
+  line.renderOrder = 2;
+  showGroup('closest', points.length === 2 ? [...balls, line] : balls);
+}
+
+export function startClosest() { onChange(['design', 'chosen', 'hovered'], showClosest); }
