@@ -1,0 +1,128 @@
+"""Chromium without a screen, and what a page in it shows."""
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+
+# Keeps what the page saves, in place of the dialogue of a browser.
+KEEP_SAVED = """
+window.saved = [];
+const made = new Map();
+const make = URL.createObjectURL;
+URL.createObjectURL = (blob) => { const url = make(blob); made.set(url, blob); return url; };
+HTMLAnchorElement.prototype.click = function () {
+  window.saved.push({ name: this.download, blob: made.get(this.href) });
+};
+"""
+
+# The colours at places of the last picture saved, given as parts of its width and height.
+COLOURS = """
+const [places, done] = arguments;
+createImageBitmap(window.saved.at(-1).blob).then((image) => {
+  const canvas = new OffscreenCanvas(image.width, image.height);
+  const context = canvas.getContext('2d', { willReadFrequently: true });
+  context.drawImage(image, 0, 0);
+  done(places.map(([x, y]) => [...context.getImageData(
+    Math.round(x * (image.width - 1)), Math.round(y * (image.height - 1)), 1, 1).data].slice(0, 3)));
+});
+"""
+
+
+class Browser:
+    def __init__(self, chromium, driver):
+        options = Options()
+        options.binary_location = chromium
+        for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage",
+                         "--use-gl=angle", "--use-angle=swiftshader",
+                         "--enable-unsafe-swiftshader"):
+            options.add_argument(argument)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+        self.driver = webdriver.Chrome(options=options, service=Service(driver))
+        self.scripts = []
+
+    def open(self, page, width, height, before=KEEP_SAVED, dark=False, touch=False):
+        """`before`: a script that runs before those of the page."""
+        for script in self.scripts:
+            self.command("Page.removeScriptToEvaluateOnNewDocument", identifier=script)
+        self.scripts = [self.command("Page.addScriptToEvaluateOnNewDocument",
+                                     source=before)["identifier"]]
+        self.command("Emulation.setDeviceMetricsOverride", width=width, height=height,
+                     deviceScaleFactor=1, mobile=touch)
+        self.command("Emulation.setTouchEmulationEnabled", enabled=touch)
+        self.media(dark=dark)
+        self.driver.get(page.as_uri())
+        self.frame()
+
+    def command(self, name, **arguments):
+        return self.driver.execute_cdp_cmd(name, arguments)
+
+    def media(self, kind="screen", dark=False):
+        self.command("Emulation.setEmulatedMedia", media=kind, features=[
+            {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
+
+    def run(self, script, *arguments):
+        return self.driver.execute_script(script, *arguments)
+
+    def frame(self):
+        """Waits until what was asked for is drawn."""
+        self.driver.execute_async_script(
+            "requestAnimationFrame(() => requestAnimationFrame(() => arguments[0]()))")
+
+    def find(self, selector):
+        return self.driver.find_element(By.CSS_SELECTOR, selector)
+
+    def texts(self, selector):
+        return self.run("return [...document.querySelectorAll(arguments[0])]"
+                        ".map((one) => one.textContent)", selector)
+
+    def shown(self, selector):
+        return self.run("const one = document.querySelector(arguments[0]);"
+                        "return one !== null && one.getClientRects().length > 0", selector)
+
+    def choose(self, selector, value):
+        self.run("const select = document.querySelector(arguments[0]);"
+                 "select.value = arguments[1]; select.dispatchEvent(new Event('change'))",
+                 selector, value)
+        self.frame()
+
+    def click(self, selector):
+        self.run("document.querySelector(arguments[0]).click()", selector)
+        self.frame()
+
+    def press(self, key, selector="body"):
+        self.find(selector).send_keys(key)
+        self.frame()
+
+    def click_at(self, selector, x, y):
+        """By the mouse, at a place in the element given in pixels."""
+        self.run("document.querySelector(arguments[0]).scrollIntoView({ block: 'center' })", selector)
+        box = self.run("const box = document.querySelector(arguments[0]).getBoundingClientRect();"
+                       "return [box.left, box.top]", selector)
+        place = {"x": box[0] + x, "y": box[1] + y, "button": "left", "clickCount": 1}
+        for kind in ("mouseMoved", "mousePressed", "mouseReleased"):
+            self.command("Input.dispatchMouseEvent", type=kind, **place)
+        self.frame()
+
+    def colours(self, *places):
+        """Of the view at places given as parts of its width and height."""
+        self.run("window.saved = []")
+        self.click("#save-png")
+        self.wait("return window.saved.length > 0")
+        return self.driver.execute_async_script(COLOURS, [list(place) for place in places])
+
+    def saved_text(self):
+        return self.driver.execute_async_script(
+            "window.saved.at(-1).blob.text().then(arguments[0])")
+
+    def wait(self, script):
+        for _ in range(200):
+            if self.run(script):
+                return
+            self.frame()
+        raise AssertionError(f"never so: {script}")
+
+    def complaints(self):
+        return [f"{line['level']}: {line['message']}" for line in self.driver.get_log("browser")]
+
+    def close(self):
+        self.driver.quit()

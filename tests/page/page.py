@@ -1,0 +1,189 @@
+"""The page that `tencer view` writes, driven in a browser as its readers do.
+
+usage: page.py TENCER CHROMIUM CHROMEDRIVER FOLDER
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+import designs
+from browser import Browser
+
+ESCAPE = "\ue00c"
+NO_WEBGL = """
+const get = HTMLCanvasElement.prototype.getContext;
+HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+  return kind.includes('webgl') ? null : get.call(this, kind, ...more);
+};
+"""
+# The ring fills nine tenths of the stage's height: its top, a place within it, and the paper.
+TOP, WITHIN, PAPER = (0.5, 0.05 + 0.006), (0.5, 0.2), (0.02, 0.5)
+
+
+def is_blue(colour):
+    return colour[2] > colour[0] + 40
+
+
+def distance(a, b):
+    return max(abs(x - y) for x, y in zip(a, b))
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser(chromium, driver)
+        cls.page = folder / "page.html"
+        subprocess.run([tencer, "view", *designs.write(folder), "-o", cls.page], check=True,
+                       stdout=subprocess.DEVNULL)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+
+    def setUp(self):
+        self.open()
+
+    def open(self, width=1280, height=900, **more):
+        self.browser.open(self.page, width, height, **more)
+
+    def tearDown(self):
+        self.assertEqual(self.browser.complaints(), [])
+
+    def face_on(self):
+        self.browser.click("[data-view='front']")
+        self.browser.click("#lens")
+        for name in ("#show-target", "#show-labels"):
+            self.browser.click(name)
+
+    def test_head_says_what_is_so(self):
+        facts = dict(zip(self.browser.texts("#facts dt"), self.browser.texts("#facts dd")))
+        self.assertEqual(facts["cables"], "2")
+        self.assertEqual(facts["largest error"], "4 mm (1.41 %)")
+        self.assertEqual(facts["built with errors"], "cut to 1 mm, tied to 2 mm: within 2.1 mm (95 %)")
+        self.assertEqual(facts["let go at the target"], "it settles here")
+        self.assertIn("of 5 % held for long", facts["largest strain"])
+        self.assertEqual(facts["section"], "circle r 3 mm")
+        self.assertRegex(facts["weight"], r"^3\d\.?\d* g$")
+        # What is not wholly checked is not green.
+        self.assertEqual(self.browser.run("return document.getElementById('status').className"), "")
+        self.assertEqual(self.browser.texts("#facts .good"), [])
+        self.browser.choose("#design", "2")
+        status = self.browser.texts("#status")[0]
+        self.assertIn("comes to rest elsewhere", status)
+        self.assertIn("too little", status)
+        self.assertEqual(self.browser.run("return document.getElementById('status').className"), "bad")
+        self.assertEqual(len(self.browser.texts("#facts .bad")), 2)
+
+    def test_rods_are_where_they_belong_and_take_the_colour_asked_for(self):
+        self.face_on()
+        top, within, paper = self.browser.colours(TOP, WITHIN, PAPER)
+        self.assertTrue(is_blue(top), top)
+        self.assertLess(distance(within, paper), 8)
+        self.browser.choose("#colour", "deviation")  # none at the top, all of it on the x axis
+        least, = self.browser.colours(TOP)
+        ring = self.browser.run("const { width, height } = document.querySelector('#stage canvas')"
+                                ".getBoundingClientRect(); return 0.45 * 1.04 * height / width")
+        most, = self.browser.colours((0.5 - ring + 0.003, 0.51))
+        self.assertGreater(most[0], 150, most)  # yellow
+        self.assertLess(most[2], 110, most)
+        self.assertGreater(distance(least, most), 100)
+        self.assertIn("4 mm", self.browser.texts("#legends")[0])
+
+    def test_cables_are_chosen_in_the_drawing_and_in_the_list(self):
+        self.face_on()
+        box = self.browser.run("const box = document.getElementById('stage').getBoundingClientRect();"
+                               "return [box.width, box.height]")
+        self.browser.click_at("#stage canvas", box[0] * 0.53, box[1] / 2)
+        self.assertEqual(self.browser.texts("#cables tr.chosen td:first-child"), ["1"])
+        self.browser.press(ESCAPE)
+        self.assertEqual(self.browser.texts("#cables tr.chosen"), [])
+        self.browser.press("\ue007", "#cables tbody tr:nth-child(2)")
+        self.assertEqual(self.browser.texts("#cables tr.chosen td:first-child"), ["2"])
+        self.browser.click("#show-labels")
+        self.browser.frame()
+        self.assertEqual(self.browser.texts("#labels .chosen"), ["2"])
+        self.browser.click("#closest tbody tr")
+        self.assertEqual(len(self.browser.texts("#closest tr.chosen")), 1)
+
+    def test_a_point_of_the_plot_shows_its_design(self):
+        x, y = self.browser.run("const point = Chart.getChart('trade-off').getDatasetMeta(0).data[1];"
+                                "return [point.x, point.y]")
+        self.browser.click_at("#trade-off", x, y)
+        self.assertEqual(self.browser.texts("#facts dd")[0], "3")
+        self.assertEqual(len(self.browser.texts("#cables tbody tr")), 3)
+        self.browser.click("#designs-table tbody tr:last-child")
+        self.assertEqual(self.browser.texts("#facts dd")[0], "5")
+        self.face_on()
+        before, = self.browser.colours(TOP)
+        self.browser.choose("#over", "0")
+        after, = self.browser.colours(TOP)
+        self.assertGreater(distance(before, after), 10)
+
+    def test_units_and_files(self):
+        self.assertEqual(self.browser.texts("#cables td:nth-child(2)")[0], "20.80")
+        self.browser.choose("#unit", "in")
+        self.assertEqual(self.browser.texts("#cables td:nth-child(2)")[0], "8.189")
+        self.assertIn(" in", self.browser.texts("#scale-text")[0])
+        self.browser.click("#save-list")
+        text = self.browser.saved_text()
+        self.assertTrue(text.startswith("design,cable,length in,from,to,tension N,note\nring,1,8.189,"),
+                        text)
+        self.browser.click("#save-marks")
+        lines = self.browser.saved_text().splitlines()
+        self.assertEqual(lines[0], "design,rod,s in,cable,goes to")
+        self.assertEqual(len(lines), 5)
+
+    def test_vibrations_are_played(self):
+        self.face_on()
+        self.browser.choose("#mode", "0")
+        seen = {str(self.browser.colours(*[(0.5, y / 200) for y in range(4, 30)])) for _ in range(4)}
+        self.assertGreater(len(seen), 1)
+        self.browser.press(ESCAPE)
+        self.assertEqual(self.browser.run("return document.getElementById('mode').value"), "-1")
+
+    def test_keys_and_labels(self):
+        self.browser.press("o", "#stage canvas")
+        self.assertEqual(self.browser.texts("#lens"), ["perspective"])
+        self.browser.choose("#design", "2")
+        overlaps = self.browser.run("""
+          const boxes = [...document.querySelectorAll('#labels span')]
+            .filter((one) => one.style.visibility === 'visible')
+            .map((one) => one.getBoundingClientRect());
+          return [boxes.length, boxes.filter((a, i) => boxes.some((b, j) => i < j &&
+            a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom)).length];
+        """)
+        self.assertGreater(overlaps[0], 3)
+        self.assertEqual(overlaps[1], 0)
+
+    def test_a_phone_has_no_column_off_the_screen(self):
+        self.open(390, 844, touch=True)
+        self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 390)
+        self.assertTrue(self.browser.shown("#stage canvas"))
+        self.assertLess(self.browser.run("return document.getElementById('stage').clientHeight"), 600)
+        self.assertIn("finger", self.browser.texts("#hint")[0])
+
+    def test_print_has_the_view_and_the_lists(self):
+        self.open(dark=True)
+        self.browser.run("window.dispatchEvent(new Event('beforeprint'))")
+        self.browser.media("print")
+        self.browser.wait("return document.getElementById('printed').naturalWidth > 0")
+        self.assertTrue(self.browser.shown("#printed"))
+        self.assertTrue(self.browser.shown("#cables"))
+        for name in ("#stage", "#save-png", "#save-list"):
+            self.assertFalse(self.browser.shown(name), name)
+
+    def test_without_webgl_there_is_the_picture(self):
+        self.open(before=NO_WEBGL)
+        self.assertTrue(self.browser.shown("#picture svg"))
+        self.assertFalse(self.browser.shown("#stage"))
+        self.assertEqual(len(self.browser.texts("#cables tbody tr")), 2)
+        self.browser.complaints()  # three.js says that there is no WebGL
+
+
+tencer, chromium, driver = sys.argv[1:4]
+folder = pathlib.Path(sys.argv[4])
+shutil.rmtree(folder, ignore_errors=True)
+folder.mkdir(parents=True)
+unittest.main(argv=sys.argv[:1], verbosity=2)
