@@ -93,14 +93,46 @@ class Browser:
         self.find(selector).send_keys(key)
         self.frame()
 
-    def click_at(self, selector, x, y):
-        """By the mouse, at a place in the element given in pixels."""
+    def place(self, selector, x, y):
+        """On the screen, of a place in the element given in pixels."""
         self.run("document.querySelector(arguments[0]).scrollIntoView({ block: 'center' })", selector)
-        box = self.run("const box = document.querySelector(arguments[0]).getBoundingClientRect();"
-                       "return [box.left, box.top]", selector)
-        place = {"x": box[0] + x, "y": box[1] + y, "button": "left", "clickCount": 1}
-        for kind in ("mouseMoved", "mousePressed", "mouseReleased"):
-            self.command("Input.dispatchMouseEvent", type=kind, **place)
+        left, top = self.run("const box = document.querySelector(arguments[0]).getBoundingClientRect();"
+                             "return [box.left, box.top]", selector)
+        return {"x": left + x, "y": top + y}
+
+    def mouse(self, kind, place, **more):
+        self.command("Input.dispatchMouseEvent", type=kind, **place, **more)
+
+    def click_at(self, selector, x, y):
+        self.drag(selector, x, y, 0, 0)
+
+    def drag(self, selector, x, y, aside, down):
+        place = self.place(selector, x, y)
+        pressed = {"button": "left", "clickCount": 1}
+        self.mouse("mouseMoved", place)
+        self.mouse("mousePressed", place, **pressed)
+        if aside or down:
+            place = {"x": place["x"] + aside, "y": place["y"] + down}
+            self.mouse("mouseMoved", place, buttons=1, **pressed)
+        self.mouse("mouseReleased", place, **pressed)
+        self.frame()
+
+    def wheel(self, selector, down, times):
+        self.run("""
+          const [selector, deltaY, times] = arguments;
+          for (let i = 0; i < times; ++i) document.querySelector(selector).dispatchEvent(
+            new WheelEvent('wheel', { deltaY, bubbles: true, cancelable: true }));
+        """, selector, down, times)
+        self.frame()
+
+    def swipe(self, x, y, aside, down):
+        """With one finger, from a place on the screen."""
+        steps = 10
+        self.command("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x, "y": y}])
+        for step in range(1, steps + 1):
+            self.command("Input.dispatchTouchEvent", type="touchMove", touchPoints=[
+                {"x": x + aside * step / steps, "y": y + down * step / steps}])
+        self.command("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
         self.frame()
 
     def colours(self, *places):

@@ -157,12 +157,37 @@ class Page(unittest.TestCase):
         self.assertGreater(overlaps[0], 3)
         self.assertEqual(overlaps[1], 0)
 
+    def test_the_view_turns_and_zooms_within_limits(self):
+        start = self.browser.texts("#scale-text")[0]
+        axis = "return document.getElementById('axis-x').getAttribute('x2')"
+        home = self.browser.run(axis)
+        self.browser.drag("#stage canvas", 200, 200, 120, 0)
+        self.assertNotEqual(self.browser.run(axis), home)
+        for turn, least, most in (-400, 0.05, 0.5), (400, 10, 50):
+            self.browser.wheel("#stage canvas", turn, 100)
+            length = float(self.browser.texts("#scale-text")[0].split()[0])
+            self.assertTrue(least <= length <= most, length)
+        self.browser.click("[data-view='home']")
+        self.assertEqual(self.browser.texts("#scale-text")[0], start)
+        self.assertEqual(self.browser.run(axis), home)
+
     def test_a_phone_has_no_column_off_the_screen(self):
         self.open(390, 844, touch=True)
         self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 390)
         self.assertTrue(self.browser.shown("#stage canvas"))
         self.assertLess(self.browser.run("return document.getElementById('stage').clientHeight"), 600)
         self.assertIn("finger", self.browser.texts("#hint")[0])
+        self.browser.run("document.getElementById('stage').scrollIntoView()")
+        scrolled = "return window.scrollY"
+        axis = "return document.getElementById('axis-x').getAttribute('x2')"
+        before = self.browser.run(scrolled), self.browser.run(axis)
+        self.browser.swipe(200, 400, 0, -150)
+        self.assertGreater(self.browser.run(scrolled), before[0])
+        self.assertEqual(self.browser.run(axis), before[1])
+        before = self.browser.run(scrolled), self.browser.run(axis)
+        self.browser.swipe(100, 200, 120, 0)
+        self.assertEqual(self.browser.run(scrolled), before[0])
+        self.assertNotEqual(self.browser.run(axis), before[1])
 
     def test_print_has_the_view_and_the_lists(self):
         self.open(dark=True)

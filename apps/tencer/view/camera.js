@@ -100,9 +100,10 @@ function shapeLenses() {
   Object.values(lens).forEach((one) => one.updateProjectionMatrix());
 }
 
-// home, front, or along x, y or z of the file; asked for again, from the other side.
+// home, front, or along x, y or z of the file; asked for again, and not turned since, all but home are
+// from the other side.
 export function view(name) {
-  backwards = name === turned && !backwards;
+  backwards = name === turned && name !== 'home' && isFitted && !backwards;
   turned = name;
   const { rows, from } = viewOf(name);
   const matrix = new THREE.Matrix4().set(...rows[0], 0, ...rows[1], 0, ...rows[2], 0, 0, 0, 0, 1);
