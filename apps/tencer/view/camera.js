@@ -1,6 +1,6 @@
 // From where the design is seen. A view turns the model so that one direction is to the right, one
 // up and one towards the reader; the camera then goes around what is up.
-import { sizeOf } from './data.js';
+import { sizeOf, usedAnchors } from './data.js';
 import { byId, onChange, seenDesign } from './page.js';
 import { inUnit, unitOf } from './units.js';
 import { draw, onFrame, vector, world } from './world.js';
@@ -45,7 +45,7 @@ function viewOf(name) {
 function worldPoints() {
   const design = seenDesign();
   world.model.updateMatrixWorld();
-  return [...design.rods.flatMap((rod) => rod.pose), ...design.anchors]
+  return [...design.rods.flatMap((rod) => rod.pose), ...usedAnchors(design)]
     .map((p) => world.model.localToWorld(vector(p)));
 }
 

@@ -50,12 +50,15 @@ function figuresOf(design) {
       ['forgives', 'errors matter most of', `${cable(forgives.decisive_cable)}, ` +
         length(forgives.decisive)],
       ['forgives', 'goes slack first', `${cable(forgives.first_slack)}, at ` +
-        `${significant(forgives.slack_at, 3)} times the errors`],
-      ['forgives', `of ${forgives.settled} that settle, fall`, String(forgives.fallen)],
+        `${significant(forgives.slack_at, 3)} times the errors`]);
+  if (forgives && forgives.settled > 0)
+    rows.push(
+      ['forgives', `of ${forgives.settled} let settle, fall`, String(forgives.fallen)],
       ['forgives', 'worst of those that do not', length(forgives.settled_worst)],
-      ['forgives', 'the first falls', forgives.falls_at === undefined
-        ? `none up to ${significant(forgives.falls_up_to, 3)} times the errors`
-        : `at ${significant(forgives.falls_at, 3)} times the errors`]);
+      ['forgives', 'the first falls', forgives.falls_at !== undefined
+        ? `at ${significant(forgives.falls_at, 3)} times the errors`
+        : forgives.falls_up_to > 0
+          ? `none up to ${significant(forgives.falls_up_to, 3)} times the errors` : 'not known']);
   for (const push of comesBack ? comesBack.pushes : [])
     rows.push(['comes back', `pushed by ${length(push.size)}`,
       `${push.back} of ${push.tried}${push.lost ? `, ${push.lost} were lost` : ''}`]);

@@ -56,6 +56,12 @@ export function endPoint(design, end) {
   return end.anchor !== undefined ? design.anchors[end.anchor] : pointAt(design.rods[end.rod], end.s);
 }
 
+// The anchors that cables end at.
+export function usedAnchors(design) {
+  const used = new Set(design.cables.flatMap((cable) => [cable.a.anchor, cable.b.anchor]));
+  return design.anchors.filter((point, i) => used.has(i));
+}
+
 export function arcLengthAt(rod, vertex) {
   return rod.rest_lengths.slice(0, vertex).reduce((a, b) => a + b, 0);
 }

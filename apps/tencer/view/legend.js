@@ -3,7 +3,7 @@ import { designs, leastTaut } from './data.js';
 import { fieldScale, rodFields, tensionScale } from './colours.js';
 import { byId, element, onChange, page, seenDesign } from './page.js';
 import { vectorFactor } from './target.js';
-import { rodThickening } from './rods.js';
+import { thicknessInWords } from './rods.js';
 import { forceText, significant } from './units.js';
 import { cableInWords, designInWords } from './words.js';
 
@@ -43,7 +43,7 @@ function showLegends() {
   if (page.over >= 0)
     shown.push(element('div', `laid over: ${designInWords(designs[page.over])}`, 'legend over'));
   byId('legends').replaceChildren(...shown);
-  byId('thickness-note').textContent = rodThickening(design);
+  byId('thickness-note').textContent = thicknessInWords(design);
 }
 
 export function startLegend() {

@@ -13,14 +13,15 @@ const visibleRadius = (design) => sizeOf(design) / 170;
 // Of the section; where only stiffnesses are known, that of a round one with these.
 const trueHalfSizes = (rod) => rod.half_sizes || Array(2).fill(2 * Math.sqrt(Math.min(...rod.EI) / rod.EA));
 
-// How many times as thick as it is the thinnest rod is drawn, in words.
-export function rodThickening(design) {
+// In words; of the thinnest rod, how many times as thick as it is.
+export function thicknessInWords(design) {
+  const known = design.rods.every((rod) => rod.half_sizes);
   if (page.thick)
-    return design.rods.every((rod) => rod.half_sizes) ? 'Rods are drawn as thick as they are'
-      : 'Rods are drawn as thick as round ones of their stiffness';
+    return `Rods are drawn as thick as ${known ? 'they are' : 'round ones of their stiffness'}, cables ` +
+      'so that they are seen.';
   const thinnest = Math.min(...design.rods.map((rod) => Math.min(...trueHalfSizes(rod))));
-  return `Rods are drawn up to ${significant(visibleRadius(design) / thinnest, 2)} times as thick as ` +
-    'they are';
+  return 'Rods and cables are drawn so thick that they are seen: rods up to ' +
+    `${significant(visibleRadius(design) / thinnest, 2)} times as thick as they are.`;
 }
 
 // Rods that would be thinner than a line are drawn thicker until the reader wants otherwise.
