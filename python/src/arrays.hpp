@@ -25,7 +25,7 @@ inline py::array view(const Eigen::Matrix3Xd& points, py::handle owner) {
 }
 
 inline py::array view(const Eigen::VectorXd& numbers, py::handle owner) {
-  py::array_t<double> array({numbers.size()}, numbers.data(), owner);
+  py::array_t<double> array(numbers.size(), numbers.data(), owner);
   read_only(array);
   return array;
 }

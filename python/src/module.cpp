@@ -13,4 +13,5 @@ PYBIND11_MODULE(_core, module) {
   bind_structure(module);
   bind_optimize(module);
   bind_search(module);
+  bind_page(module);
 }

@@ -13,5 +13,6 @@ void bind_runs(py::module_& module);
 void bind_structure(py::module_& module);
 void bind_optimize(py::module_& module);
 void bind_search(py::module_& module);
+void bind_page(py::module_& module);
 
 }  // namespace tencer::python

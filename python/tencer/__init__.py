@@ -11,7 +11,7 @@ Lengths and forces are in the scene's units, cm and N if nothing else is said. W
 the names of the scene file (docs/scene.md); docs/python.md is the guide.
 """
 
-from . import _core, results
+from . import _core
 from ._core import (
     Cable,
     Curve,
@@ -27,6 +27,7 @@ from ._core import (
     Rod,
     Scene,
     Section,
+    Simulation,
     Structure,
     System,
     families,
@@ -35,15 +36,18 @@ from ._core import (
     read_curves,
     read_design,
 )
-from .front_door import curves_of_family, design, prepare, scene, trade_off
+from .front_door import curves_of_family, design, feasible, prepare, scene, trade_off
+from .results import Check, Feasibility
 from .structures import hessian
 
 __all__ = [
     "Cable",
+    "Check",
     "Curve",
     "Design",
     "Equilibrium",
     "Error",
+    "Feasibility",
     "Minimum",
     "Network",
     "Pose",
@@ -53,11 +57,13 @@ __all__ = [
     "Rod",
     "Scene",
     "Section",
+    "Simulation",
     "Structure",
     "System",
     "curves_of_family",
     "design",
     "families",
+    "feasible",
     "hessian",
     "minimise",
     "optimizers",

@@ -1,12 +1,18 @@
 """Curves in, cables out."""
 
 import os
+from collections.abc import Callable
+from typing import Any
 
-from . import _core
+from . import _core, results
 from .keys import Keys, as_curve
 
+# A path, a Scene, a Curve, an array (n, 3), a list of these, or None.
+Curves = Any
+Told = Callable[[_core.Progress], object] | None
 
-def scene(curves=None, *, resolution=1.0, **keys):
+
+def scene(curves: Curves = None, *, resolution: float = 1.0, **keys: Any) -> _core.Scene:
     """The scene of curves with any key of a scene file.
 
     curves: the path of a scene, curve or design file; a Curve, an array (n, 3) or a list of these; a
@@ -38,7 +44,9 @@ def scene(curves=None, *, resolution=1.0, **keys):
     return _core.scene(file, said.text, said.curves, said.designs, "design", float(resolution))
 
 
-def design(curves=None, *, progress=None, resolution=1.0, **keys):
+def design(
+    curves: Curves = None, *, progress: Told = None, resolution: float = 1.0, **keys: Any
+) -> _core.Design:
     """Cables that hold the curves: the fewest within max_error, or the closest with so many `cables`.
 
     curves, resolution, keys: as tencer.scene has them.
@@ -51,7 +59,9 @@ def design(curves=None, *, progress=None, resolution=1.0, **keys):
     return _core.design(scene(curves, resolution=resolution, **keys), progress)
 
 
-def trade_off(curves=None, *, progress=None, resolution=1.0, **keys):
+def trade_off(
+    curves: Curves = None, *, progress: Told = None, resolution: float = 1.0, **keys: Any
+) -> list[_core.Design]:
     """How close with how many cables: a design for each number, the fewest first.
 
     Arguments are those of tencer.design.
@@ -59,7 +69,18 @@ def trade_off(curves=None, *, progress=None, resolution=1.0, **keys):
     return _core.trade_off(scene(curves, resolution=resolution, **keys), progress)
 
 
-def prepare(curves=None, *, resolution=1.0, **keys):
+def feasible(
+    curves: Curves = None, *, resolution: float = 1.0, **keys: Any
+) -> results.Feasibility:
+    """Whether the cables that are allowed can hold the shape at all, known before a search.
+
+    Arguments are those of tencer.scene; what comes back is a tencer.Feasibility, whose "verdict" is
+    "can", "unclear" or "cannot".
+    """
+    return results.Feasibility(*_core.feasible(scene(curves, resolution=resolution, **keys)))
+
+
+def prepare(curves: Curves = None, *, resolution: float = 1.0, **keys: Any) -> _core.Problem:
     """The tencer.Problem of a scene, for those who run the search's stages one by one.
 
     Arguments are those of tencer.scene.
@@ -67,7 +88,9 @@ def prepare(curves=None, *, resolution=1.0, **keys):
     return _core.prepare(scene(curves, resolution=resolution, **keys))
 
 
-def curves_of_family(name, vertices=None, **parameters):
+def curves_of_family(
+    name: str, vertices: int | None = None, **parameters: float
+) -> list[_core.Curve]:
     """The curves of a built-in family, see tencer.families().
 
     >>> import tencer

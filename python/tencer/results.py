@@ -1,10 +1,75 @@
 """What a Design has beside what the library says of it: arrays by name, and files."""
 
+import html
+import json
 import os
+import sys
+import tempfile
+import webbrowser
 
 import numpy as np
 
 from . import _core
+
+
+class Check(dict):
+    """What a check found out, as design.json has it: sections, `passed` and what `fails`.
+
+    `design` is the design as it comes to rest, with the cables of a repair; str() says all in words.
+    """
+
+    def __init__(self, design, text, report):
+        super().__init__(json.loads(text))
+        self.design = design
+        self._report = report
+
+    def __str__(self):
+        return self._report
+
+
+class Feasibility(dict):
+    """Whether cables can hold a shape, as feasible.json has it: its `verdict`; str() is in words."""
+
+    def __init__(self, text, report):
+        super().__init__(json.loads(text))
+        self._report = report
+
+    def __str__(self):
+        return self._report
+
+
+def _check(
+    design,
+    *,
+    length_error_mm=1.0,
+    attachment_error_mm=2.0,
+    max_deviation=None,
+    draws=10000,
+    repair=False,
+):
+    """Whether the design can be built and does then what it should, as `tencer check` tells.
+
+    max_deviation: what errors may move, "2 mm" or "1 %" (of the target's diagonal). repair: ties what
+    moves at no cost, and checks that.
+    """
+    deviation = None if max_deviation is None else str(max_deviation)
+    return Check(
+        *_core.check(design, length_error_mm, attachment_error_mm, deviation, draws, repair)
+    )
+
+
+def _simulate(design, *, start="pose", cables="inextensible", refine=1):
+    """Where the design comes to rest from its "pose" or the "target", as a Simulation.
+
+    cables: "inextensible" as they are built, or "springs". refine: edges into which each is divided.
+    """
+    for name, value, known in (
+        ("start", start, ("pose", "target")),
+        ("cables", cables, ("inextensible", "springs")),
+    ):
+        if value not in known:
+            raise ValueError(f"{name}: expected one of {', '.join(known)}, found {value!r}")
+    return _core.simulate(design, start == "target", cables == "springs", refine)
 
 
 def _column(name, what):
@@ -26,13 +91,46 @@ def _marks(design):
 
 
 def _export(design, path):
-    """Writes what the ending says: .json the design, .obj the pose, .csv the record of stages."""
+    """Writes what the ending says: .json the design, .obj the pose, .csv the record of stages, .html
+    the page."""
     path = os.fspath(path)
-    writers = {".json": design.to_json, ".obj": design.pose_obj, ".csv": design.trace_csv}
+    writers = {
+        ".json": design.to_json,
+        ".obj": design.pose_obj,
+        ".csv": design.trace_csv,
+        ".html": design.page,
+    }
     ending = os.path.splitext(path)[1]
     if ending not in writers:
         raise ValueError(f"{path}: expected an ending among {', '.join(writers)}, found '{ending}'")
     _core.write_file(path, writers[ending]())
+
+
+def _page(design):
+    """The page of the design, view.html, as text."""
+    if not hasattr(_core, "page"):
+        raise RuntimeError("this build has no page: it was made without the program (TENCER_APPS)")
+    return _core.page(design)
+
+
+def _repr_html(design):
+    """The page in a notebook."""
+    if not hasattr(_core, "page"):
+        return None  # the notebook falls back on the text
+    page = html.escape(_core.page(design))
+    return f'<iframe srcdoc="{page}" style="width: 100%; height: 640px; border: 0"></iframe>'
+
+
+def _show(design):
+    """Shows the page: in the notebook, or in a browser; returns the file that a browser reads."""
+    if "IPython" in sys.modules and sys.modules["IPython"].get_ipython() is not None:
+        sys.modules["IPython"].display.display(design)
+        return None
+    folder = tempfile.mkdtemp(prefix="tencer-")
+    path = os.path.join(folder, design.name + ".html")
+    _core.write_file(path, _page(design))
+    webbrowser.open("file://" + path)
+    return path
 
 
 def _plot(design, axes=None):
@@ -57,5 +155,10 @@ def _plot(design, axes=None):
 _core.Design.tensions = _column("tension", "What each cable pulls with, (cables,), forces.")
 _core.Design.lengths = _column("length", "Each cable's length as built, (cables,).")
 _core.Design.marks = property(_marks)
+_core.Design.check = _check
+_core.Design.simulate = _simulate
 _core.Design.export = _export
 _core.Design.plot = _plot
+_core.Design.page = _page
+_core.Design.show = _show
+_core.Design._repr_html_ = _repr_html

@@ -131,3 +131,47 @@ def test_scenes_are_complete(trefoil):
     scene = tencer.scene(trefoil)
     with pytest.raises(TypeError, match="a Scene is complete"):
         tencer.design(scene, max_error=1)
+
+
+def test_a_check_tells_what_holds(design):
+    check = design.check(draws=100)
+    assert set(check) >= {"stands", "forgives", "holds"} and isinstance(check["fails"], list)
+    assert "stands: " in str(check)
+    assert len(check.design.cables) == len(design.cables)
+    with pytest.raises(ValueError, match="max_deviation: expected"):
+        design.check(max_deviation="far")
+
+
+def test_it_comes_to_rest_where_it_should(design):
+    rest = design.simulate()
+    assert rest.stays and rest.moved_percent < 1e-3 and "converged" in rest.reason
+    finer = design.simulate(start="target", refine=2)
+    assert len(finer.design.poses[0]) == 2 * len(design.poses[0])
+    with pytest.raises(ValueError, match="cables: expected one of inextensible, springs"):
+        design.simulate(cables="ropes")
+
+
+def test_whether_it_can_be_held(trefoil):
+    found = tencer.feasible(trefoil)
+    assert found["verdict"] == "can" and str(found)
+
+
+with_page = pytest.mark.skipif(
+    not hasattr(tencer._core, "page"), reason="the module was built without the program"
+)
+
+
+@with_page
+def test_the_page_in_the_notebook(design, tmp_path):
+    design.export(tmp_path / "knot.html")
+    page = (tmp_path / "knot.html").read_text()
+    assert page.lstrip().lower().startswith("<!doctype html>") and "</html>" in page
+    assert design._repr_html_().startswith("<iframe srcdoc=")
+
+
+@with_page
+def test_show_opens_the_page(design, monkeypatch):
+    opened = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    path = design.show()
+    assert opened == ["file://" + path] and os.path.getsize(path) > 10_000
