@@ -332,7 +332,7 @@ void bind_solvers(py::module_& module) {
       .def_property_readonly("energy", [](const Rest& self) { return self.found.energy; })
       .def_property_readonly("iterations", [](const Rest& self) { return self.found.iterations; });
 
-  py::class_<equilibrium::Stability>(module, "Stability")
+  py::class_<equilibrium::Stability>(module, "Stability", "Whether a pose is stable, and how firm.")
       .def_readonly("smallest_eigenvalue", &equilibrium::Stability::smallest_eigenvalue,
                     "In max EI / L^4, one unit of mass per length.")
       .def_readonly("negative", &equilibrium::Stability::negative)

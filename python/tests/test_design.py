@@ -114,6 +114,16 @@ def test_ctrl_c_gives_the_best_so_far(trefoil):
     assert np.isfinite(design.poses[0]).all()
 
 
+def test_ctrl_c_reaches_a_search_that_tells_nobody(trefoil):
+    timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    try:
+        design = tencer.design(trefoil, max_error=0.01, effort=3)
+    finally:
+        timer.join()
+    assert design.status == "interrupted"
+
+
 def test_a_trade_off(trefoil):
     designs = tencer.trade_off(trefoil, **QUICK, time=0.5)
     counts = [len(design.cables) for design in designs]
