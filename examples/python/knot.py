@@ -2,7 +2,7 @@
 
 import tencer
 
-(knot,) = tencer.curves_of_family("trefoil-2-3", length=150, vertices=60)  # cm
+(knot,) = tencer.curves_of_family("trefoil-2-3", length=150, vertices=40)  # cm
 design = tencer.design(knot, material="spring steel", max_error=3, effort=1)
 print(design)
 for number, cable in enumerate(design.cables, 1):
