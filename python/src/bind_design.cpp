@@ -125,6 +125,10 @@ void bind_design(py::module_& module) {
       .def_property_readonly("cable_points", &cable_points,
                              "Where cables end in the pose, (cables, 2, 3), lengths.")
       .def_property_readonly(
+          "structure", [](const Design& design) { return model::as_built(design); },
+          "The rods, supports and loads with the cables as long as they are built: to be solved "
+          "inextensible from structure.pose(poses).")
+      .def_property_readonly(
           "max_percent",
           [](const Design& design) -> std::optional<double> {
             return design.error ? std::optional(design.error->max_percent) : std::nullopt;

@@ -7,10 +7,10 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The tencer library as it is in C++; use the package tencer.";
   module.attr("__version__") = TENCER_VERSION;
   bind_errors(module);
+  bind_structure(module);
   bind_scene(module);
   bind_design(module);
   bind_runs(module);
-  bind_structure(module);
   bind_optimize(module);
   bind_search(module);
   bind_page(module);

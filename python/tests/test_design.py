@@ -161,6 +161,15 @@ def test_it_comes_to_rest_where_it_should(design):
         design.simulate(cables="ropes")
 
 
+def test_its_structure_rests_in_its_pose(design):
+    structure = design.structure
+    assert len(structure.cables) == len(design.cables)
+    rest = structure.solve(structure.pose(design.poses), inextensible=True)
+    size = np.ptp(design.poses[0])
+    assert rest.usable and abs(rest.positions[0] - design.poses[0]).max() < 1e-4 * size
+    assert np.allclose(rest.tensions, design.tensions, rtol=1e-3)
+
+
 def test_whether_it_can_be_held(trefoil):
     found = tencer.feasible(trefoil)
     assert found["verdict"] == "can" and str(found)
