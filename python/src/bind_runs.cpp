@@ -16,19 +16,19 @@
 namespace tencer::python {
 namespace {
 
-pipeline::RunOptions run_options(std::stop_token stop, network::ProgressSink sink) {
-  return {.stop = std::move(stop), .progress = std::move(sink)};
+pipeline::RunOptions run_options(LongCall& call) {
+  return {.stop = call.token(), .progress = call.sink(), .log = call.log()};
 }
 
 model::Design design(const model::Scene& scene, py::object progress) {
-  return value_or_raise(long_call(std::move(progress), [&](auto stop, auto sink) {
-    return pipeline::design(scene, run_options(stop, sink));
+  return value_or_raise(long_call(std::move(progress), [&](LongCall& call) {
+    return pipeline::design(scene, run_options(call));
   }));
 }
 
 std::vector<model::Design> trade_off(const model::Scene& scene, py::object progress) {
-  return value_or_raise(long_call(std::move(progress), [&](auto stop, auto sink) {
-    return pipeline::trade_off(scene, run_options(stop, sink));
+  return value_or_raise(long_call(std::move(progress), [&](LongCall& call) {
+    return pipeline::trade_off(scene, run_options(call));
   }));
 }
 
@@ -43,13 +43,13 @@ py::tuple check(const model::Design& design, double length_error_mm, double atta
                                   *max_deviation + '"');
     deviation = *read;
   }
-  const auto checked = value_or_raise(long_call(py::none(), [&](auto stop, auto) {
+  const auto checked = value_or_raise(long_call(py::none(), [&](LongCall& call) {
     return pipeline::check(design, {.length_error_mm = length_error_mm,
                                     .attachment_error_mm = attachment_error_mm,
                                     .max_deviation = deviation,
                                     .draws = draws,
                                     .repair = repair,
-                                    .stop = stop});
+                                    .stop = call.token()});
   }));
   return py::make_tuple(checked.design, io::check_text(checked.design, checked.check),
                         model::report(checked.check, model::terms_of(checked.design)));
@@ -57,19 +57,20 @@ py::tuple check(const model::Design& design, double length_error_mm, double atta
 
 pipeline::Simulation simulate(const model::Design& design, bool from_target, bool springs,
                               int refine) {
-  return value_or_raise(long_call(py::none(), [&](auto stop, auto) {
+  return value_or_raise(long_call(py::none(), [&](LongCall& call) {
     return pipeline::simulate(
         design, {.start = from_target ? pipeline::Start::target : pipeline::Start::pose,
                  .cables = springs ? pipeline::Cables::springs : pipeline::Cables::inextensible,
                  .refine = refine,
-                 .solve = {.stop = stop}});
+                 .solve = {.stop = call.token()}});
   }));
 }
 
 // (as JSON, and in words)
 py::tuple feasible(const model::Scene& scene) {
-  const auto found = value_or_raise(long_call(
-      py::none(), [&](auto stop, auto) { return pipeline::feasible(scene, {.stop = stop}); }));
+  const auto found = value_or_raise(long_call(py::none(), [&](LongCall& call) {
+    return pipeline::feasible(scene, {.stop = call.token()});
+  }));
   return py::make_tuple(io::feasibility_text(found), model::report(found));
 }
 

@@ -85,9 +85,9 @@ py::array balanced_tensions(const Prepared& self, double max_error) {
 }
 
 Network balance(const Prepared& self, double max_error) {
-  return long_call(py::none(), [&](auto stop, auto) {
+  return long_call(py::none(), [&](LongCall& call) {
     auto stage = force_balance(self.problem, self.problem.group(), {.max_error_percent = max_error},
-                               {.stop = stop});
+                               {.stop = call.token()});
     return with_distance(std::move(stage.network), stage.fault, self);
   });
 }
@@ -105,19 +105,19 @@ elimination::EliminationOptions options(double max_error, int cables) {
 
 std::vector<Network> eliminate(const Prepared& self, const Network& network, double max_error,
                                int cables, py::object progress) {
-  return long_call(std::move(progress), [&](auto stop, auto sink) {
+  return long_call(std::move(progress), [&](LongCall& call) {
     return networks(
         elimination::eliminate(network.network, self.problem, options(max_error, cables),
-                               {.stop = stop, .progress = sink}),
+                               {.stop = call.token(), .progress = call.sink()}),
         self);
   });
 }
 
 std::vector<Network> search(const Prepared& self, double max_error, int cables,
                             py::object progress) {
-  return long_call(std::move(progress), [&](auto stop, auto sink) {
+  return long_call(std::move(progress), [&](LongCall& call) {
     return networks(elimination::search(self.problem, options(max_error, cables),
-                                        {.stop = stop, .progress = sink}),
+                                        {.stop = call.token(), .progress = call.sink()}),
                     self);
   });
 }

@@ -128,9 +128,9 @@ struct Rest {
 
 Rest solve(const model::Structure& of, const Pose& start, bool inextensible, double tolerance,
            int max_iterations) {
-  return long_call(py::none(), [&](auto stop, auto) -> Rest {
+  return long_call(py::none(), [&](LongCall& call) -> Rest {
     const equilibrium::SolveOptions options{
-        .tolerance = tolerance, .max_iterations = max_iterations, .stop = stop};
+        .tolerance = tolerance, .max_iterations = max_iterations, .stop = call.token()};
     if (inextensible) {
       auto relaxed = equilibrium::relax_inextensible(of, start.state, options);
       return {std::move(relaxed.equilibrium), std::move(relaxed.tensions)};

@@ -11,8 +11,17 @@ network::ProgressSink LongCall::sink() {
   if (told_.is_none()) return {};
   return [this](const network::Progress& progress) {
     const std::lock_guard lock(mutex_);
-    latest_ = Progress{std::string(progress.stage), progress.cables, progress.max_percent,
-                       progress.seconds};
+    fresh_.latest = Progress{std::string(progress.stage), progress.cables, progress.max_percent,
+                             progress.seconds};
+    news_.notify_one();
+  };
+}
+
+core::Log LongCall::log() {
+  return [this](core::Level level, std::string_view text) {
+    if (level == core::Level::debug) return;
+    const std::lock_guard lock(mutex_);
+    fresh_.said.emplace_back(level, text);
     news_.notify_one();
   };
 }
@@ -33,13 +42,15 @@ void LongCall::run(const std::function<void()>& work) {
       news_.notify_one();
     });
     std::unique_lock lock(mutex_);
-    while (!done_) {
-      news_.wait_for(lock, patience, [&] { return done_ || latest_; });
-      const std::optional<Progress> latest = std::exchange(latest_, std::nullopt);
+    for (bool over = false; !over;) {
+      news_.wait_for(lock, patience,
+                     [&] { return done_ || fresh_.latest || !fresh_.said.empty(); });
+      over = done_;  // what was said before is told yet
+      const News news = std::exchange(fresh_, News{});
       lock.unlock();
       {
         const py::gil_scoped_acquire held;
-        look(latest);
+        look(news);
       }
       lock.lock();
     }
@@ -48,15 +59,25 @@ void LongCall::run(const std::function<void()>& work) {
   if (raised_) throw std::move(*raised_);
 }
 
-void LongCall::look(const std::optional<Progress>& latest) {
+void LongCall::look(const News& news) {
   if (PyErr_CheckSignals() != 0) take(py::error_already_set());
-  if (!latest || raised_) return;
+  if (raised_) return;
   try {
-    const py::object answer = told_(*latest);
+    for (const auto& [level, text] : news.said) say(level, text);
+    if (!news.latest || told_.is_none()) return;
+    const py::object answer = told_(*news.latest);
     if (!answer.is_none() && answer.cast<bool>()) stop_.request_stop();
   } catch (py::error_already_set& error) {
     take(error);
   }
+}
+
+void LongCall::say(core::Level level, const std::string& text) {
+  if (level == core::Level::warning) {
+    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+    return;
+  }
+  py::module_::import("logging").attr("getLogger")("tencer").attr("info")(text);
 }
 
 // Ctrl-C may also come while Python's function runs.

@@ -7,7 +7,11 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string>
+#include <tencer/core/log.hpp>
 #include <tencer/network/stage.hpp>
+#include <utility>
+#include <vector>
 
 #include "bind.hpp"
 
@@ -29,6 +33,7 @@ class LongCall {
 
   std::stop_token token() const { return stop_.get_token(); }
   network::ProgressSink sink();
+  core::Log log();  // to Python's warnings, and what is no warning to the logger "tencer"
 
   // Does `work` in a thread of its own and waits for it. Throws what it throws; or what `told`
   // raised, once the work has stopped; or KeyboardInterrupt when Ctrl-C came twice. `work` must not
@@ -36,25 +41,31 @@ class LongCall {
   void run(const std::function<void()>& work);
 
  private:
-  void look(const std::optional<Progress>& latest);
+  // What came up since the last look.
+  struct News {
+    std::optional<Progress> latest{};
+    std::vector<std::pair<core::Level, std::string>> said{};
+  };
+  void look(const News& news);
+  void say(core::Level level, const std::string& text);
   void take(const py::error_already_set& error);
 
   py::object told_;
   std::stop_source stop_;
   std::mutex mutex_;
   std::condition_variable news_;
-  std::optional<Progress> latest_;
+  News fresh_;
   bool done_ = false;
   int interrupts_ = 0;
   std::optional<py::error_already_set> raised_;
 };
 
-// work(stop token, progress sink), and what it returns.
+// work(call), and what it returns.
 template <class Work>
 auto long_call(py::object told, Work&& work) {
   LongCall call(std::move(told));
-  std::optional<decltype(work(call.token(), call.sink()))> result;
-  call.run([&] { result.emplace(work(call.token(), call.sink())); });
+  std::optional<decltype(work(call))> result;
+  call.run([&] { result.emplace(work(call)); });
   return std::move(*result);
 }
 

@@ -118,7 +118,7 @@ def _repr_html(design):
     if not hasattr(_core, "page"):
         return None  # the notebook falls back on the text
     page = html.escape(_core.page(design))
-    return f'<iframe srcdoc="{page}" style="width: 100%; height: 640px; border: 0"></iframe>'
+    return f'<iframe srcdoc="{page}" style="width: 100%; height: 900px; border: 0"></iframe>'
 
 
 def _show(design):

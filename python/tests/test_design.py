@@ -79,6 +79,13 @@ def test_what_progress_raises_comes_out(trefoil):
         tencer.design(trefoil, max_error=2, progress=fail)
 
 
+def test_what_is_to_be_known_is_said(trefoil, caplog):
+    caplog.set_level("INFO", logger="tencer")
+    with pytest.warns(UserWarning, match="strain"):
+        tencer.design(trefoil, **QUICK, section={"radius": 1.0}, time=0.1)
+    assert "1 closed rod" in caplog.text
+
+
 def test_the_interpreter_is_free_meanwhile(trefoil):
     """Another thread counts while the search runs."""
     counted = 0
