@@ -38,6 +38,10 @@ double balance_percent(const EliminationOptions& options, double part) {
                            start.max_error_percent);
 }
 
+// Ties that deform the rods by a good part of the accepted error stay taut when they are cut a
+// little long; in EI / L^2, of which ten move a ring by half a percent of its length.
+double tie_tension(const EliminationOptions& options) { return 10 * balance_percent(options, 1.0); }
+
 // Networks of few orbits of a group; when its few orbits do not hold, one that balances the forces.
 std::vector<Start> symmetric_starts(const Problem& problem, const symmetry::Group& group,
                                     int max_cables, const EliminationOptions& options,
@@ -48,7 +52,9 @@ std::vector<Start> symmetric_starts(const Problem& problem, const symmetry::Grou
   if (!starts.empty()) return starts;
   const double part = options.start.balances.front().part;
   StageResult outcome = force_balance(
-      problem, &group, {.max_error_percent = balance_percent(options, part)}, control);
+      problem, &group,
+      {.max_error_percent = balance_percent(options, part), .tie_tension = tie_tension(options)},
+      control);
   for (const model::StageRow& row : outcome.trace)
     counts += {.solves = row.solves, .iterations = row.iterations};
   if (outcome.valid())
@@ -64,9 +70,10 @@ std::vector<Start> balanced_starts(const Problem& problem, const EliminationOpti
   std::vector<StageResult> outcomes(balances.size());
   const network::StageRecorder recorder("balance", control);
   network::in_parallel(static_cast<int>(outcomes.size()), options.threads, [&](int i) {
-    outcomes[i] =
-        force_balance(problem, problem.group(),
-                      {.max_error_percent = balance_percent(options, balances[i].part)}, control);
+    outcomes[i] = force_balance(problem, problem.group(),
+                                {.max_error_percent = balance_percent(options, balances[i].part),
+                                 .tie_tension = tie_tension(options)},
+                                control);
   });
   auto told = std::ranges::find_if(outcomes, &StageResult::valid);
   if (told == outcomes.end()) told = outcomes.begin();
