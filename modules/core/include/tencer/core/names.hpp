@@ -1,5 +1,5 @@
 // What rods, cables and places are called in words for people: the same everywhere, in reports, on
-// the page (whose tables.js has a twin of this), in the picture and at the bench. Rods go by
+// the page (whose words.js has a twin of this), in the picture and at the bench. Rods go by
 // letters, so that they are not taken for the cables' numbers, which count from 1. A rod that is
 // the only one is "the rod". What names a place in a file ("cables[3]") keeps the file's indices,
 // which count from 0.
