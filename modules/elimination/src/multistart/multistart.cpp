@@ -116,7 +116,10 @@ void Multistart::add_fitted(const Network& network, ParetoArchive& archive, Fit 
   for (const auto& [stability_weight, min_unit] : options_.fit.attempts) {
     if (!fitted.usable()) break;
     const bool stopped = control_.stop.stop_requested();
-    if (!stopped || fit == Fit::always)
+    // A fit of many cables takes minutes, for nothing where they are close enough as they are.
+    const bool pays = goal.by_number() ? fitted.cables() <= goal.cables
+                                       : fitted.deviation().max_percent > accepted;
+    if (!stopped || (fit == Fit::always && pays))
       fit_closely(fitted, options_.measure, stability_weight, min_unit * accepted, options_.fit);
     Solution& solution = found.emplace_back(Solution{.network = fitted.network(),
                                                      .max_percent = fitted.deviation().max_percent,
