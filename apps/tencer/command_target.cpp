@@ -5,6 +5,7 @@
 #include <span>
 #include <tencer/curves/families.hpp>
 #include <tencer/io/curve.hpp>
+#include <tencer/io/write_curves.hpp>
 #include <tencer/random_targets/random_knot.hpp>
 
 #include "command.hpp"
@@ -25,12 +26,12 @@ struct FamilyRequest {
   std::string output;
 };
 
-// To standard output when there is no file name.
+// As OBJ to standard output when there is no file name.
 core::Expected<ExitCode> write_curves(const std::string& output,
                                       std::span<const geometry::Polyline> curves) {
   if (output.empty()) {
     std::cout << io::obj_text(curves) << std::flush;
-  } else if (const auto error = io::write_obj(output, curves)) {
+  } else if (const auto error = io::write_curves(output, curves, "cm")) {
     return *error;
   }
   return ExitCode::ok;
@@ -65,7 +66,10 @@ std::string option_name(std::string_view parameter) {
 }
 
 void add_output(CLI::App& command, std::string& output) {
-  command.add_option("-o,--output", output, "OBJ file to write [standard output]");
+  command.add_option(
+      "-o,--output", output,
+      "File to write, of the format of its ending: .obj, .csv, .txt, .json, .vect, .dxf "
+      "[OBJ to standard output]");
 }
 
 void add_family(CLI::App& target, const curves::Family& family, Command& chosen) {

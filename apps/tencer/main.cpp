@@ -5,6 +5,7 @@
 #include <tencer/core/version.hpp>
 
 #include "command.hpp"
+#include "command_export.hpp"
 #include "console_log.hpp"
 
 namespace tencer::app {
@@ -18,6 +19,7 @@ constexpr const char* examples = R"(Examples:
   tencer check knot/design.json                      find out whether it can be built
   tencer view knot/design.json --open                look at it in the browser
   tencer fabricate knot/design.json                  print what is needed to build it
+  tencer export knot/design.json -o knot.glb         take it to other programs
 
 Exit codes: 0 done; 1 unexpected failure; 2 bad input or options, nothing written; 3 the tolerance
 was not reached, which the result says.)";
@@ -68,6 +70,7 @@ int run(int argc, char** argv) {
   add_check(app, chosen);
   add_view(app, chosen);
   add_fabricate(app, chosen);
+  add_export(app, chosen);
   add_target(app, chosen);
   add_stress(app, chosen);
   add_study(app, chosen);

@@ -31,7 +31,7 @@ bad_curve(two.csv "0, 0, 0\n1, 0\n" "two.csv:2" "3")
 bad_curve(atoms.xyz "2\nwater\nO 0 0 0\nH 1 0 0\n" "atoms.xyz:1" "drop the count")
 bad_curve(four.vect "4VECT\n1 2 0\n" "four.vect:1" "save the three coordinates")
 bad_curve(path.svg "<svg><path d='M0 0 B1 1'/></svg>" "path.svg:1" "use M L H V C S Q T A Z")
-bad_curve(block.dxf "0\nSECTION\n2\nENTITIES\n0\nINSERT\n0\nENDSEC\n" "block.dxf" "break up blocks")
+bad_curve(block.dxf "0\nSECTION\n2\nENTITIES\n0\nINSERT\n0\nENDSEC\n" "block.dxf" "export the curves themselves")
 bad_curve(broken.json "{\"curves\": [}" "broken.json:1" "is not valid JSON")
 
 bad_curve(point.xyz "0 0 0\n" "point.xyz:1" "needs at least 2 points")

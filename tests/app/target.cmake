@@ -34,3 +34,13 @@ endif()
 
 refused("target random-knot" "from 1 to 200" target random-knot --cables 0)
 refused("target circle" "at least 3" target circle --vertices 2)
+
+# The ending tells the format.
+run_tencer(target circle --vertices 8 -o circle.csv)
+expect_status(0)
+file(STRINGS ${WORK}/circle.csv lines)
+list(POP_FRONT lines header)
+if(NOT header STREQUAL "x (cm),y (cm),z (cm)")
+  message(SEND_ERROR "circle.csv begins with ${header}")
+endif()
+refused("circle.stl" "let the name end with .obj" target circle -o circle.stl)

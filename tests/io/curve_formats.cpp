@@ -191,7 +191,25 @@ TEST_CASE("svg: shapes, transforms, units; what is no curve is left out") {
   CHECK_FALSE(file.curves[2].closed);
   CHECK(file.curves[3].closed);
   CHECK(folder.local(file.notes.back()) ==
-        "c.svg: text, pictures and copies (use) are left out, 1 of them");
+        "c.svg: text, pictures and copies of other files are left out, 1 of them");
+}
+
+TEST_CASE("svg: copies are drawn where they are put") {
+  const Folder folder;
+  const auto file = read(folder, "c.svg", R"svg(<svg xmlns:xlink="http://www.w3.org/1999/xlink">
+  <defs><circle id="dot" cx="1" cy="0" r="2"/>
+    <g id="pair"><use href="#dot"/><use xlink:href="#dot" x="10"/></g></defs>
+  <symbol id="mark"><path d="M0 0L3 0"/></symbol>
+  <use href="#pair" transform="translate(0 5) scale(2)"/>
+  <use href="#mark" x="1" y="2"/>
+  <use href="#none"/><use href="other.svg#dot"/>
+</svg>)svg");
+  REQUIRE(file.curves.size() == 3);
+  check_circle(file.curves[0], {2, -5, 0}, 4);
+  check_circle(file.curves[1], {22, -5, 0}, 4);
+  CHECK(file.curves[2].points.col(1) == Eigen::Vector3d(4, -2, 0));
+  CHECK(folder.local(file.notes.back()) ==
+        "c.svg: text, pictures and copies of other files are left out, 2 of them");
 }
 
 TEST_CASE("svg: what is wrong is said with its line") {
@@ -209,8 +227,19 @@ TEST_CASE("svg: what is wrong is said with its line") {
   CHECK(wrong("<polygon points='1 2 3'/>") ==
         "c.svg:2: polygon: expected pairs of numbers, found 3 numbers");
   CHECK(wrong("<text/>") ==
-        "c.svg: the drawing holds no paths or shapes, only text, pictures or copies (use); convert "
-        "these to paths before export");
+        "c.svg: the drawing holds no paths or shapes, only text, pictures or copies of other "
+        "files; convert these to paths before export");
+  CHECK(wrong("<g id='a'><use href='#a'/></g>").find("copies are nested more than 200 deep") !=
+        std::string::npos);
+  // Each copies the one before ten times.
+  std::string many = "<defs><path id='a0' d='M0 0L1 0'/>";
+  for (int i = 1; i < 9; ++i) {
+    many += "<g id='a" + std::to_string(i) + "'>";
+    for (int k = 0; k < 10; ++k) many += "<use href='#a" + std::to_string(i - 1) + "'/>";
+    many += "</g>";
+  }
+  CHECK(wrong(many + "</defs><use href='#a8'/>").find("more than 10000 copies") !=
+        std::string::npos);
   CHECK(wrong("<path d='M0 0L1 0M1 1L1 0'/><path d='M1 0L1-1'/>") ==
         "c.svg:2: path: three lines end at (1, 0); a rod cannot branch, so leave out all but the "
         "rods");
@@ -268,16 +297,36 @@ TEST_CASE("dxf: every kind of curve") {
             .points.rightCols(1) == Eigen::Vector3d(2, 0, 1));
 }
 
+TEST_CASE("dxf: blocks are drawn where they are inserted") {
+  const Folder folder;
+  const std::string blocks =
+      "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nA\n10\n1\n20\n0\n0\nCIRCLE\n10\n3\n20\n0\n40\n1\n0\nENDB"
+      "LK\n"
+      "0\nBLOCK\n2\nB\n0\nINSERT\n2\nA\n10\n0\n20\n5\n0\nENDBLK\n"
+      "0\nBLOCK\n2\nC\n0\nINSERT\n2\nC\n0\nENDBLK\n0\nENDSEC\n";
+  // Turned by a quarter and twice as large; nested; in two columns.
+  const auto file =
+      read(folder, "c.dxf",
+           blocks + dxf("0\nINSERT\n2\nA\n10\n10\n20\n0\n41\n2\n42\n2\n43\n2\n50\n90\n"
+                        "0\nINSERT\n2\nB\n10\n0\n20\n20\n70\n2\n44\n30\n"));
+  REQUIRE(file.curves.size() == 3);
+  check_circle(file.curves[0], {10, 4, 0}, 2);
+  check_circle(file.curves[1], {2, 25, 0}, 1);
+  check_circle(file.curves[2], {32, 25, 0}, 1);
+  CHECK(error(folder, "c.dxf", blocks + dxf("0\nINSERT\n2\nC\n")).find("in themselves") !=
+        std::string::npos);
+}
+
 TEST_CASE("dxf: what is wrong is said") {
   const Folder folder;
   CHECK(
       error(folder, "c.dxf", "hello\nworld\n") ==
       "c.dxf:1: expected the number of a DXF group, found 'hello'; save it as DXF in text (ASCII) "
       "form");
-  CHECK(
-      error(folder, "c.dxf", dxf("0\nINSERT\n2\nA\n")) ==
-      "c.dxf: the drawing holds no lines, arcs, polylines or splines, only other things; break up "
-      "blocks and export the curves themselves");
+  CHECK(error(folder, "c.dxf", dxf("0\nINSERT\n2\nA\n")) ==
+        "c.dxf: the drawing holds no lines, arcs, polylines or splines, only other things; export "
+        "the "
+        "curves themselves");
   CHECK(error(folder, "c.dxf", dxf("0\nCIRCLE\n40\n-1\n")) ==
         "c.dxf:16: CIRCLE: expected a positive radius");
   CHECK(error(folder, "c.dxf", dxf("0\nLINE\n10\nx\n")) == "c.dxf:16: LINE: 'x' is not a number");

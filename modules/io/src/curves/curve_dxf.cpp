@@ -10,6 +10,7 @@
 
 #include "curves/drawing.hpp"
 #include "curves/dxf_entities.hpp"
+#include "curves/dxf_units.hpp"
 #include "text/bad_input.hpp"
 #include "text/text.hpp"
 
@@ -158,62 +159,102 @@ Stroke spline(const DxfEntity& entity) {
   return {pieces(nurbs), false, entity.where};
 }
 
-// mm, cm, m, in, ft as $INSUNITS numbers them.
-std::optional<std::string> unit_of(int number) {
-  constexpr std::array<std::pair<int, const char*>, 5> units{
-      {{1, "in"}, {2, "ft"}, {4, "mm"}, {5, "cm"}, {6, "m"}}};
-  for (const auto& [known, name] : units)
-    if (known == number) return name;
-  return std::nullopt;
-}
-
-struct Drawn {
-  std::vector<Stroke> strokes;
-  int others = 0;
-};
-
-Drawn draw(const std::vector<DxfEntity>& entities) {
-  Drawn drawn;
-  const auto add = [&](std::vector<Stroke> more) {
-    drawn.strokes.insert(drawn.strokes.end(), more.begin(), more.end());
-  };
-  for (std::size_t at = 0; at < entities.size();) {
-    const DxfEntity& entity = entities[at++];
-    if (entity.name == "LINE")
-      add(polyline({{entity.point(10)}, {entity.point(11)}}, false, Eigen::Matrix3d::Identity(),
-                   entity.where));
-    else if (entity.name == "CIRCLE" || entity.name == "ARC")
-      add({circle(entity, entity.name == "CIRCLE")});
-    else if (entity.name == "ELLIPSE")
-      add({ellipse(entity)});
-    else if (entity.name == "LWPOLYLINE")
-      add(light_polyline(entity));
-    else if (entity.name == "POLYLINE")
-      add(heavy_polyline(entity, entities, at));
-    else if (entity.name == "SPLINE")
-      add({spline(entity)});
-    else
-      ++drawn.others;
+// Draws the entities of a file, blocks wherever they are inserted.
+class DxfDrawing {
+ public:
+  explicit DxfDrawing(const DxfContent& content) : content_(content) {
+    draw(content.entities, Eigen::Affine3d::Identity(), 0);
   }
-  return drawn;
-}
+
+  const std::vector<Stroke>& strokes() const { return strokes_; }
+  int others() const { return others_; }
+
+ private:
+  void draw(const std::vector<DxfEntity>& entities, const Eigen::Affine3d& transform, int depth) {
+    for (std::size_t at = 0; at < entities.size();) {
+      const DxfEntity& entity = entities[at++];
+      if (entity.name == "LINE")
+        add(polyline({{entity.point(10)}, {entity.point(11)}}, false, Eigen::Matrix3d::Identity(),
+                     entity.where),
+            transform);
+      else if (entity.name == "CIRCLE" || entity.name == "ARC")
+        add({circle(entity, entity.name == "CIRCLE")}, transform);
+      else if (entity.name == "ELLIPSE")
+        add({ellipse(entity)}, transform);
+      else if (entity.name == "LWPOLYLINE")
+        add(light_polyline(entity), transform);
+      else if (entity.name == "POLYLINE")
+        add(heavy_polyline(entity, entities, at), transform);
+      else if (entity.name == "SPLINE")
+        add({spline(entity)}, transform);
+      else if (entity.name == "INSERT")
+        insert(entity, transform, depth);
+      else
+        ++others_;
+    }
+  }
+
+  void add(std::vector<Stroke> strokes, const Eigen::Affine3d& transform) {
+    for (Stroke& stroke : strokes) {
+      for (Piece& piece : stroke.pieces)
+        piece.at = [at = std::move(piece.at), transform](double t) -> Vector3d {
+          return transform * at(t);
+        };
+      strokes_.push_back(std::move(stroke));
+    }
+  }
+
+  // A block, perhaps several times in rows and columns.
+  void insert(const DxfEntity& entity, const Eigen::Affine3d& above, int depth) {
+    constexpr int deepest = 50;
+    const auto block = content_.blocks.find(entity.text(2));
+    if (block == content_.blocks.end()) {
+      ++others_;
+      return;
+    }
+    if (depth > deepest)
+      fail(entity.where, "blocks are nested more than 50 deep, or in themselves");
+    const Vector3d scale(entity.number(41, 1), entity.number(42, 1), entity.number(43, 1));
+    if ((scale.array() == 0).any()) fail(entity.where, "its scale (41, 42, 43) is zero");
+    const int columns = std::max(1, entity.flags(70));
+    const int rows = std::max(1, entity.flags(71));
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column) {
+        if (++inserts_ > most_inserts)
+          fail(entity.where, "blocks are inserted more than 10000 times; draw the curves alone");
+        Eigen::Affine3d own(axes_of(entity));
+        own.translate(entity.point(10))
+            .rotate(Eigen::AngleAxisd(entity.number(50) * degree, Vector3d::UnitZ()))
+            .translate(Vector3d(column * entity.number(44), row * entity.number(45), 0))
+            .scale(scale)
+            .translate(-block->second.head.point(10));
+        draw(block->second.entities, above * own, depth + 1);
+      }
+  }
+
+  static constexpr int most_inserts = 10000;
+  const DxfContent& content_;
+  std::vector<Stroke> strokes_;
+  int others_ = 0;
+  int inserts_ = 0;
+};
 
 }  // namespace
 
 CurveFile parse_dxf(std::string_view text, const std::string& file) {
   const DxfContent content = dxf_content(text, file);
-  const Drawn drawn = draw(content.entities);
-  if (drawn.strokes.empty())
-    fail(file, "the drawing holds no lines, arcs, polylines or splines" +
-                   std::string(drawn.others > 0 ? ", only other things; break up blocks and export "
-                                                  "the curves themselves"
-                                                : ""));
+  const DxfDrawing drawing(content);
+  if (drawing.strokes().empty())
+    fail(file,
+         "the drawing holds no lines, arcs, polylines or splines" +
+             std::string(drawing.others() > 0 ? ", only other things; export the curves themselves"
+                                              : ""));
   CurveFile result;
-  result.length_unit = unit_of(content.units);
-  add_strokes(drawn.strokes, result);
-  if (drawn.others > 0)
+  if (const auto unit = dxf_unit(content.units)) result.length_unit = std::string(*unit);
+  add_strokes(drawing.strokes(), result);
+  if (drawing.others() > 0)
     result.notes.push_back(file + ": what is no line, arc, polyline or spline is left out, " +
-                           std::to_string(drawn.others) + " of them");
+                           std::to_string(drawing.others()) + " of them");
   return result;
 }
 

@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
 
 #include "curves/curve_dxf.hpp"
+#include "curves/curve_ending.hpp"
 #include "curves/curve_json.hpp"
 #include "curves/curve_obj.hpp"
 #include "curves/curve_svg.hpp"
 #include "curves/curve_table.hpp"
 #include "curves/curve_vect.hpp"
 #include "text/bad_input.hpp"
+#include "text/extension.hpp"
 #include "text/text.hpp"
 
 namespace tencer::io {
@@ -46,13 +47,6 @@ constexpr std::array foreign{
     Foreign{" .pdf .ai .eps .ps .cdr .png .jpg .jpeg ",
             "is a picture or a page; save the drawing as plain SVG"},
     Foreign{" .xlsx .xls .ods ", "is of a spreadsheet; save the sheet as CSV, x, y, z a line"}};
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 // The first words of a text, of lines that are no comments.
 std::vector<std::string_view> first_words(std::string_view text) {
@@ -93,6 +87,11 @@ std::string extensions() {
 
 }  // namespace
 
+std::optional<CurveFormat> format_by_extension(const std::filesystem::path& path) {
+  const auto* one = std::ranges::find(known, lower_extension(path), &Known::extension);
+  return one == known.end() ? std::nullopt : std::optional(one->format);
+}
+
 CurveFormat format_of(const std::filesystem::path& path, std::string_view text,
                       const std::string& file) {
   const std::string extension = lower_extension(path);
@@ -100,10 +99,9 @@ CurveFormat format_of(const std::filesystem::path& path, std::string_view text,
     if (!extension.empty() && one.extensions.find(" " + extension + " ") != std::string_view::npos)
       fail(file, std::string(one.remedy));
   const auto by_content = format_by_content(text);
-  for (const Known& one : known)
-    if (extension == one.extension)
-      // A table is what any text file may hold, and names do not tell which.
-      return one.format == CurveFormat::table ? by_content.value_or(one.format) : one.format;
+  // A table is what any text file may hold, and names do not tell which.
+  if (const auto named = format_by_extension(path))
+    return *named == CurveFormat::table ? by_content.value_or(*named) : *named;
   if (by_content) return *by_content;
   if (!extension.empty() && path != "-")
     fail(file, "unknown kind of curve file '" + extension + "'; use one of " + extensions());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <pugixml.hpp>
@@ -58,14 +59,15 @@ class SvgReader {
     if (local_name(root) != "svg")
       fail(file_, "expected an SVG drawing, found XML of " + quoted(root.name()));
     CurveFile result;
+    find_ids(root);
     walk(root, page(root, result), 0);
     if (strokes_.empty())
       fail(file_, others_ > 0 ? "the drawing holds no paths or shapes, only text, pictures or "
-                                "copies (use); convert these to paths before export"
+                                "copies of other files; convert these to paths before export"
                               : "the drawing holds no paths, lines or shapes");
     add_strokes(strokes_, result);
     if (others_ > 0)
-      result.notes.push_back(file_ + ": text, pictures and copies (use) are left out, " +
+      result.notes.push_back(file_ + ": text, pictures and copies of other files are left out, " +
                              std::to_string(others_) + " of them");
     return result;
   }
@@ -107,26 +109,67 @@ class SvgReader {
     return Affine2d(Eigen::Scaling(scale)) * upright;
   }
 
+  void find_ids(const pugi::xml_node& root) {
+    struct Finder : pugi::xml_tree_walker {
+      std::map<std::string_view, pugi::xml_node> found;
+      bool for_each(pugi::xml_node& node) override {
+        if (const pugi::xml_attribute id = node.attribute("id")) found.emplace(id.value(), node);
+        return true;
+      }
+    } finder;
+    pugi::xml_node(root).traverse(finder);
+    by_id_ = std::move(finder.found);
+  }
+
   void walk(const pugi::xml_node& parent, const Affine2d& above, int depth) {
     constexpr int deepest = 200;
     constexpr std::array<std::string_view, 8> unseen{
         "defs", "clipPath", "mask", "marker", "pattern", "symbol", "metadata", "linearGradient"};
-    constexpr std::array<std::string_view, 4> no_curve{"text", "image", "use", "foreignObject"};
     if (depth > deepest) fail(where(parent.offset_debug()), "groups are nested more than 200 deep");
-    for (const pugi::xml_node& node : parent.children()) {
-      const std::string_view name = local_name(node);
-      if (name.empty() || std::ranges::find(unseen, name) != unseen.end() || hidden(node)) continue;
-      if (std::ranges::find(no_curve, name) != no_curve.end()) {
-        ++others_;
-        continue;
-      }
-      const std::string there = where(node.offset_debug()) + ": " + std::string(name);
-      const Affine2d transform = above * transform_of(node, there);
-      if (name == "g" || name == "svg" || name == "a" || name == "switch")
-        walk(node, transform, depth + 1);
-      else
-        draw(node, name, transform, there);
+    for (const pugi::xml_node& node : parent.children())
+      if (std::ranges::find(unseen, local_name(node)) == unseen.end()) visit(node, above, depth);
+  }
+
+  void visit(const pugi::xml_node& node, const Affine2d& above, int depth) {
+    constexpr std::array<std::string_view, 3> no_curve{"text", "image", "foreignObject"};
+    const std::string_view name = local_name(node);
+    if (name.empty() || hidden(node)) return;
+    if (std::ranges::find(no_curve, name) != no_curve.end()) {
+      ++others_;
+      return;
     }
+    const std::string there = where(node.offset_debug()) + ": " + std::string(name);
+    const Affine2d transform = above * transform_of(node, there);
+    if (name == "g" || name == "svg" || name == "a" || name == "switch")
+      walk(node, transform, depth + 1);
+    else if (name == "use")
+      copy(node, transform, depth, there);
+    else
+      draw(node, name, transform, there);
+  }
+
+  // Another element of the file once more.
+  void copy(const pugi::xml_node& node, const Affine2d& above, int depth,
+            const std::string& there) {
+    constexpr int most = 10000;
+    const std::string_view plain = node.attribute("href").value();
+    const std::string_view reference = plain.empty() ? node.attribute("xlink:href").value() : plain;
+    const auto found = reference.starts_with('#') ? by_id_.find(reference.substr(1)) : by_id_.end();
+    if (found == by_id_.end()) {
+      ++others_;
+      return;
+    }
+    if (++copies_ > most)
+      fail(there, "there are more than 10000 copies, or one of itself; draw the curves themselves");
+    Affine2d transform = above;
+    transform.translate(Vector2d(number(node, "x", there), number(node, "y", there)));
+    // A symbol is seen in its copies only.
+    if (local_name(found->second) == "symbol")
+      walk(found->second, transform, depth + 1);
+    else if (depth < 200)
+      visit(found->second, transform, depth + 1);
+    else
+      fail(there, "copies are nested more than 200 deep");
   }
 
   static bool hidden(const pugi::xml_node& node) {
@@ -257,8 +300,10 @@ class SvgReader {
 
   std::string_view text_;
   const std::string& file_;
+  std::map<std::string_view, pugi::xml_node> by_id_;
   std::vector<Stroke> strokes_;
   int others_ = 0;
+  int copies_ = 0;
   std::ptrdiff_t counted_ = 0;  // of the text, with so many lines before
   std::ptrdiff_t line_ = 0;
 };

@@ -38,6 +38,21 @@ std::vector<Group> groups(std::string_view text, const std::string& file) {
   return result;
 }
 
+// Each from BLOCK to ENDBLK.
+std::map<std::string_view, DxfBlock> blocks_of(const std::vector<DxfEntity>& entities) {
+  std::map<std::string_view, DxfBlock> blocks;
+  DxfBlock* block = nullptr;
+  for (const DxfEntity& entity : entities) {
+    if (entity.name == "BLOCK")
+      block = &(blocks[entity.text(2)] = {entity, {}});
+    else if (entity.name == "ENDBLK")
+      block = nullptr;
+    else if (block != nullptr)
+      block->entities.push_back(entity);
+  }
+  return blocks;
+}
+
 }  // namespace
 
 bool DxfEntity::has(int code) const {
@@ -53,6 +68,12 @@ double DxfEntity::number(int code, double standard) const {
 int DxfEntity::flags(int code) const {
   const double value = number(code);
   return value >= 0 && value < 1e6 ? static_cast<int>(value) : 0;
+}
+
+std::string_view DxfEntity::text(int code) const {
+  for (const auto& [found, value] : values)
+    if (found == code) return value;
+  return {};
 }
 
 std::vector<double> DxfEntity::numbers(int code) const {
@@ -79,6 +100,7 @@ std::vector<Eigen::Vector3d> DxfEntity::points(int code) const {
 
 DxfContent dxf_content(std::string_view text, const std::string& file) {
   DxfContent content;
+  std::vector<DxfEntity> of_blocks;
   std::string_view section;
   bool in_units = false;
   bool names_section = false;
@@ -89,10 +111,11 @@ DxfContent dxf_content(std::string_view text, const std::string& file) {
       names_section = value == "SECTION";
       if (names_section || value == "ENDSEC") section = {};
       entity = nullptr;
-      if (section == "ENTITIES") {
-        content.entities.push_back(
+      if (section == "ENTITIES" || section == "BLOCKS") {
+        auto& list = section == "ENTITIES" ? content.entities : of_blocks;
+        list.push_back(
             {std::string(value), file + ":" + std::to_string(line) + ": " + std::string(value)});
-        entity = &content.entities.back();
+        entity = &list.back();
       }
     } else if (code == 2 && names_section) {
       section = value;
@@ -108,6 +131,7 @@ DxfContent dxf_content(std::string_view text, const std::string& file) {
     }
   }
   if (!is_dxf) fail(file, "holds no section of a DXF file");
+  content.blocks = blocks_of(of_blocks);
   return content;
 }
 

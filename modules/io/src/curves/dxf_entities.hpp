@@ -18,6 +18,7 @@ struct DxfEntity {
   // The first number with this code, else `standard`; throws BadInput when it is none.
   double number(int code, double standard = 0.0) const;
   int flags(int code) const;
+  std::string_view text(int code) const;  // the first one's, or ""
   std::vector<double> numbers(int code) const;
   bool has(int code) const;
   // x, y and z: `code`, code + 10, code + 20.
@@ -26,9 +27,16 @@ struct DxfEntity {
   std::vector<Eigen::Vector3d> points(int code) const;
 };
 
+// What entities INSERT draw.
+struct DxfBlock {
+  DxfEntity head;  // with its base point, 10
+  std::vector<DxfEntity> entities;
+};
+
 struct DxfContent {
   std::vector<DxfEntity> entities;  // of the section ENTITIES
-  int units = 0;                    // $INSUNITS; 0: none
+  std::map<std::string_view, DxfBlock> blocks;
+  int units = 0;  // $INSUNITS; 0: none
 };
 
 // Throws BadInput. The text must outlive the content.
