@@ -19,7 +19,7 @@ for line in open(rs.OpenFileName("A design exported as OBJ", "OBJ (*.obj)|*.obj|
         else:
             curve = rs.AddPolyline(line_points)
         rs.ObjectName(curve, name)
-        layer = name.split()[0] + "s"
+        layer = name.split("_")[0] + "s"
         if not rs.IsLayer(layer):
             rs.AddLayer(layer)
         rs.ObjectLayer(curve, layer)

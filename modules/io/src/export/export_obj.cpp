@@ -1,15 +1,19 @@
+#include <algorithm>
+
 #include "export/parts.hpp"
 #include "export/writers.hpp"
 #include "text/text.hpp"
 
 namespace tencer::io {
 
-// An `o` a part: lines for rods and cables, points for anchors.
+// An `o` a part: lines for rods and cables, points for anchors. Some readers end a name at a blank.
 std::string obj_parts(const model::Design& design) {
   std::string text = "# tencer, lengths in " + design.length_unit + "\n";
   int first = 1;
   for (const Part& part : parts_of(design)) {
-    text += "o " + part.name + "\n";
+    std::string name = part.name;
+    std::ranges::replace(name, ' ', '_');
+    text += "o " + name + "\n";
     const int n = part.line.vertices();
     for (const auto& point : part.line.points.colwise()) {
       text += 'v';
