@@ -95,7 +95,7 @@ TEST_CASE("an exported OBJ holds an object a rod, a cable and an anchor") {
     if (line.starts_with("l ") || line.starts_with("p ")) elements.push_back(line);
   }
   CHECK(objects ==
-        std::vector<std::string>{"rod A", "rod B", "cable 1", "cable 2", "anchor 1", "anchor 2"});
+        std::vector<std::string>{"rod_A", "rod_B", "cable_1", "cable_2", "anchor_1", "anchor_2"});
   CHECK(elements ==
         std::vector<std::string>{"l 1 2 3 4 1", "l 5 6 7", "l 8 9", "l 10 11", "p 12", "p 13"});
   const auto curves = read_back("tencer_export.obj", io::export_text(design, ExportFormat::obj));
