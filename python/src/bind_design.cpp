@@ -2,6 +2,7 @@
 #include <tencer/geometry/sampling.hpp>
 #include <tencer/io/curve.hpp>
 #include <tencer/io/design.hpp>
+#include <tencer/io/export.hpp>
 #include <tencer/io/trace.hpp>
 #include <tencer/model/design.hpp>
 
@@ -67,6 +68,14 @@ py::list trace(const Design& design) {
                          "note"_a = row.note));
   }
   return rows;
+}
+
+py::bytes export_bytes(const Design& design, const std::filesystem::path& path) {
+  const auto format = io::export_format(path);
+  if (!format)
+    throw std::invalid_argument(path.string() + ": expected an ending among .json, .html, " +
+                                std::string(io::export_endings()));
+  return io::export_text(design, *format);
 }
 
 std::string json_of(const Design& design) {
@@ -157,6 +166,8 @@ void bind_design(py::module_& module) {
       .def("brief_report", &Design::brief_report, "One line.")
       .def("report", &Design::full_report, "What was asked for, what was found, and the stages.")
       .def("to_json", &json_of, "The text of design.json: what `tencer design` writes.")
+      .def("export_bytes", &export_bytes, py::arg("path"),
+           "The file of that ending for other programs: .obj, .vtp, .gltf, .glb, .dxf or .csv.")
       .def("pose_obj", [](const Design& design) { return io::obj_text(pose_curves(design)); })
       .def("trace_csv", [](const Design& design) { return io::trace_text(design.trace); })
       .def("__str__", &model::findings)

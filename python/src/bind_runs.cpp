@@ -88,10 +88,10 @@ void bind_runs(py::module_& module) {
       });
   module.def(
       "write_file",
-      [](const std::filesystem::path& path, const std::string& text) {
-        if (const auto error = io::write_file(path, text)) throw BadInput{*error};
+      [](const std::filesystem::path& path, const std::string& content) {
+        if (const auto error = io::write_file(path, content)) throw BadInput{*error};
       },
-      py::arg("path"), py::arg("text"));
+      py::arg("path"), py::arg("content"));
   module.def("design", &design, py::arg("scene"), py::arg("progress") = py::none());
   module.def("check", &check, py::arg("design"), py::arg("length_error_mm"),
              py::arg("attachment_error_mm"), py::arg("max_deviation"), py::arg("draws"),

@@ -91,19 +91,18 @@ def _marks(design):
 
 
 def _export(design, path):
-    """Writes what the ending says: .json the design, .obj the pose, .csv the record of stages, .html
-    the page."""
+    """Writes what the ending says: the design (.json), its page (.html), or a file for other programs
+    (.obj, .vtp, .gltf, .glb, .dxf, .csv).
+    """
     path = os.fspath(path)
-    writers = {
-        ".json": design.to_json,
-        ".obj": design.pose_obj,
-        ".csv": design.trace_csv,
-        ".html": design.page,
-    }
-    ending = os.path.splitext(path)[1]
-    if ending not in writers:
-        raise ValueError(f"{path}: expected an ending among {', '.join(writers)}, found '{ending}'")
-    _core.write_file(path, writers[ending]())
+    ending = os.path.splitext(path)[1].lower()
+    if ending == ".json":
+        content = design.to_json()
+    elif ending == ".html":
+        content = design.page()
+    else:
+        content = design.export_bytes(path)
+    _core.write_file(path, content)
 
 
 def _page(design):

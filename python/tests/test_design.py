@@ -48,9 +48,13 @@ def test_files(design, tmp_path):
     again = tencer.read_design(tmp_path / "knot.json")
     assert np.array_equal(again.poses[0], design.poses[0])
     assert json.loads(design.to_json())["schema"] == "tencer-design/2"
-    design.export(tmp_path / "pose.obj")
+    (tmp_path / "pose.obj").write_text(design.pose_obj())
     assert np.array_equal(tencer.read_curves(tmp_path / "pose.obj")[0].points, design.poses[0])
-    design.export(tmp_path / "trace.csv")
+    assert design.trace_csv().startswith("stage,")
+    for ending, start in {"glb": b"glTF", "vtp": b"<", "dxf": b"", "obj": b"", "csv": b""}.items():
+        design.export(tmp_path / f"knot.{ending}")
+        content = (tmp_path / f"knot.{ending}").read_bytes()
+        assert len(content) > 500 and content.startswith(start)
     with pytest.raises(ValueError, match="expected an ending among"):
         design.export(tmp_path / "knot.xyz")
 
