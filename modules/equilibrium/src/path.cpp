@@ -232,7 +232,10 @@ PathEquilibrium settle_along(const PathStart& given, const Eigen::VectorXd& leng
     }
     const double next = step < 1 - part ? part + step : 1.0;
     const TautStep predicted = path.step(now, next, *at);
-    const double size = predicted.solved ? path.size(now, predicted) : options.max_step;
+    // Cables that go taut and slack in turn leave a rough step; what is not finite leaves none.
+    const double rough =
+        predicted.motion.size() > 0 ? options.max_step : std::numeric_limits<double>::infinity();
+    const double size = predicted.solved ? path.size(now, predicted) : rough;
     if (!(size <= options.max_step)) {
       step = (next - part) * std::clamp(options.max_step / size / 2, 0.1, 0.5);
       continue;
