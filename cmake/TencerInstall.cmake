@@ -1,4 +1,4 @@
-# The install rules: the program, its pages and examples, libraries, headers, and a CMake package
+# The install rules: the program, its manual page and completions, its pages and examples, libraries, headers, and a CMake package
 # whose components are the modules. Each module is an export set of its own, so that a consumer loads
 # only the components asked for and finds only the third-party packages these need.
 include(GNUInstallDirs)
@@ -34,6 +34,14 @@ if(TARGET tencer)
     OUTPUT_VARIABLE from_program_to_libraries)
   set_target_properties(tencer PROPERTIES INSTALL_RPATH $ORIGIN/${from_program_to_libraries})
   install(TARGETS tencer RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  get_target_property(told tencer TENCER_TOLD)
+  if(told)
+    install(FILES ${told}/tencer.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+    install(FILES ${told}/tencer.bash RENAME tencer
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+    install(FILES ${told}/_tencer DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+    install(FILES ${told}/tencer.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+  endif()
 endif()
 # The pages name each other and the examples by the places they have in the sources.
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md

@@ -1,6 +1,9 @@
 #include "command.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <tencer/core/nearest.hpp>
 #include <tencer/model/allowance.hpp>
 #include <tencer/model/material.hpp>
 
@@ -62,6 +65,26 @@ CLI::Validator positive_integer() {
             return fine ? std::string() : "expected a positive whole number, found " + text;
           },
           "POSITIVE INTEGER"};
+}
+
+CLI::Validator one_of(std::vector<std::string> words) {
+  std::string braces = "{";
+  for (const std::string& word : words) braces += (word == words.front() ? "" : ",") + word;
+  return {
+      [choices = std::move(words)](std::string& text) {
+        if (std::ranges::find(choices, text) != choices.end()) return std::string();
+        const std::vector<std::string_view> known(choices.begin(), choices.end());
+        const std::string_view meant = core::nearest(text, known);
+        std::string all;
+        for (const std::string& choice : choices) all += (all.empty() ? "" : ", ") + choice;
+        return "there is no '" + text + "'; " +
+               (meant.empty() ? "use one of " + all : "did you mean " + std::string(meant) + "?");
+      },
+      braces + "}"};
+}
+
+void add_force(CLI::App& command, bool& force) {
+  command.add_flag("--force", force, "Replace the design of something else in that folder");
 }
 
 CLI::Option* add_material(CLI::App& command, std::string& material) {

@@ -8,9 +8,10 @@
 #include <optional>
 #include <string>
 #include <tencer/core/error.hpp>
-#include <tencer/core/log.hpp>
 #include <tencer/model/settings.hpp>
 #include <vector>
+
+#include "terminal/console.hpp"
 
 namespace tencer::app {
 
@@ -22,7 +23,7 @@ enum class ExitCode {
 };
 
 // The Error goes to stderr on one line, and the program exits with bad_input.
-using Command = std::function<core::Expected<ExitCode>(const core::Log&)>;
+using Command = std::function<core::Expected<ExitCode>(const Console&)>;
 
 // The check of an option that is a finite number above zero (CLI11's own lets NaN pass).
 CLI::Validator positive_number();
@@ -35,6 +36,12 @@ CLI::Validator allowance();
 
 // Likewise of a whole number above zero.
 CLI::Validator positive_integer();
+
+// Likewise of one of these words.
+CLI::Validator one_of(std::vector<std::string> words);
+
+// --force, of a folder for a result.
+void add_force(CLI::App& command, bool& force);
 
 // --material, of what rods are made of that say nothing of it.
 CLI::Option* add_material(CLI::App& command, std::string& material);
@@ -52,13 +59,15 @@ CLI::Option* add_choice(CLI::App& command, const std::string& option, std::optio
       .add_option_function<std::string>(
           option, [&value](const std::string& name) { value = model::named<Enum>(name); },
           help + " [the scene's, else " + std::string(model::name_of(standard)) + "]")
-      ->check(CLI::IsMember(offered));
+      ->check(one_of(offered));
 }
 
 void add_check(CLI::App& app, Command& chosen);
+void add_completion(CLI::App& app, Command& chosen);
 void add_design(CLI::App& app, Command& chosen);
 void add_fabricate(CLI::App& app, Command& chosen);
 void add_feasible(CLI::App& app, Command& chosen);
+void add_manual(CLI::App& app, Command& chosen);
 void add_simulate(CLI::App& app, Command& chosen);
 void add_stress(CLI::App& app, Command& chosen);
 void add_study(CLI::App& app, Command& chosen);

@@ -2,12 +2,12 @@
 #include <iostream>
 #include <memory>
 #include <tencer/io/check.hpp>
-#include <tencer/io/file.hpp>
 #include <tencer/pipeline/check.hpp>
 
 #include "command.hpp"
 #include "design_files.hpp"
 #include "interrupt.hpp"
+#include "terminal/activity.hpp"
 
 namespace tencer::app {
 namespace {
@@ -26,14 +26,17 @@ struct CheckRequest {
   std::filesystem::path output;
   pipeline::CheckOptions options;
   bool json = false;
+  bool force = false;
 };
 
-core::Expected<ExitCode> run_check(CheckRequest request) {
+core::Expected<ExitCode> run_check(CheckRequest request, const Console& console) {
   const auto given = io::read_design(request.input);
   if (!given) return given.error();
   if (!request.output.empty())
-    if (const auto error = io::folder_problem(request.output)) return *error;
+    if (const auto error = result_problem(request.output, given->name, request.force))
+      return *error;
   const Interrupt interrupt;
+  Activity activity(console, "checking");
   request.options.stop = interrupt.token();
   const auto checked = pipeline::check(*given, request.options);
   if (!checked) return core::Error{request.input.string(), checked.error().text()};
@@ -45,10 +48,13 @@ core::Expected<ExitCode> run_check(CheckRequest request) {
     if (const auto error = write_design_files(request.output, design)) return *error;
   }
   const model::CheckTerms terms = model::terms_of(checked->design);
-  std::cout << (request.json ? io::check_text(checked->design, checked->check)
-                             : model::report(checked->check, terms));
+  activity.end();
+  if (request.json)
+    std::cout << io::check_text(checked->design, checked->check);
+  else
+    console.say(model::report(checked->check, terms));
   if (interrupt.token().stop_requested()) {
-    std::cerr << "interrupted: not everything was looked at\n";
+    console.log()(core::Level::warning, "interrupted: not everything was looked at");
     return ExitCode::tolerance_not_reached;
   }
   return model::shortfalls(checked->check, terms).empty() ? ExitCode::ok
@@ -93,8 +99,10 @@ void add_check(CLI::App& app, Command& chosen) {
                     "Tie what moves at no cost with the fewest cables, and check that");
   command->add_flag("--json", request->json, "Write JSON instead of words");
   command->add_option("-o,--output", request->output, "Folder for the design with its check");
-  command->callback(
-      [&chosen, request] { chosen = [request](const core::Log&) { return run_check(*request); }; });
+  add_force(*command, request->force);
+  command->callback([&chosen, request] {
+    chosen = [request](const Console& console) { return run_check(*request, console); };
+  });
 }
 
 }  // namespace tencer::app

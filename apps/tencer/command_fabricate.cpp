@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iostream>
 #include <memory>
+#include <sstream>
 #include <tencer/core/words.hpp>
 #include <tencer/fabricate/names.hpp>
 #include <tencer/io/check.hpp>
@@ -30,7 +30,7 @@ struct FabricateRequest {
   SheetOptions options;
 };
 
-core::Expected<ExitCode> run_fabricate(const FabricateRequest& request) {
+core::Expected<ExitCode> run_fabricate(const FabricateRequest& request, const Console& console) {
   const auto read = io::read_checked_design(request.input);
   if (!read) return read.error();
   SheetOptions options = request.options;
@@ -41,17 +41,18 @@ core::Expected<ExitCode> run_fabricate(const FabricateRequest& request) {
       request.output.empty() ? request.input.parent_path() / "sheet" : request.output;
   if (const auto error = write_sheet(folder, *sheet)) return *error;
   const auto cables = static_cast<int>(sheet->list.cables.size());
-  std::cout << (folder / "sheet.pdf").string() << ": " << core::counted(sheet->solid.rods, "rod")
-            << ", " << core::counted(cables, "cable") << ", cut with "
-            << sheet->list.allowances.joint << " mm for a joint and " << sheet->list.allowances.knot
-            << " mm for each knot\n";
+  std::ostringstream text;
+  text << (folder / "sheet.pdf").string() << ": " << core::counted(sheet->solid.rods, "rod") << ", "
+       << core::counted(cables, "cable") << ", cut with " << sheet->list.allowances.joint
+       << " mm for a joint and " << sheet->list.allowances.knot << " mm for each knot\n";
+  console.say(text.str());
   const std::string what = !sheet->check                    ? "is not checked"
                            : sheet->check->passed == false  ? "does not pass its check"
                            : !not_looked_at(*sheet).empty() ? "is checked in part only"
                                                             : "";
   if (!what.empty())
-    std::cerr << "tencer: WARNING: " << request.input.string() << ": the design " << what
-              << ", which the sheet says (tencer check)\n";
+    console.log()(core::Level::warning, request.input.string() + ": the design " + what +
+                                            ", which the sheet says (tencer check)");
   return ExitCode::ok;
 }
 
@@ -96,7 +97,7 @@ void add_fabricate(CLI::App& app, Command& chosen) {
   command->add_option("-o,--output", request->output,
                       "Folder for the sheet [sheet, beside the design]");
   command->add_option("--paper", request->paper, "Of the printer")
-      ->check(CLI::IsMember({"a4", "letter"}))
+      ->check(one_of({"a4", "letter"}))
       ->capture_default_str();
   add_length(
       *command, "--joint", true, [&allowances](double mm) { allowances.joint = mm; },
@@ -116,7 +117,7 @@ void add_fabricate(CLI::App& app, Command& chosen) {
   command->add_option("--price-cable", offers.cables.price_per_metre, "Of a metre of cable")
       ->check(positive_number());
   command->callback([&chosen, request] {
-    chosen = [request](const core::Log&) { return run_fabricate(*request); };
+    chosen = [request](const Console& console) { return run_fabricate(*request, console); };
   });
 }
 

@@ -2,12 +2,16 @@
 #include <iostream>
 #include <memory>
 #include <tencer/io/file.hpp>
+#include <tencer/io/summary.hpp>
+#include <tencer/pipeline/design.hpp>
 #include <tencer/pipeline/feasible.hpp>
 
 #include "command.hpp"
+#include "design/design_words.hpp"
 #include "design_files.hpp"
 #include "interrupt.hpp"
 #include "scene_input.hpp"
+#include "terminal/activity.hpp"
 
 namespace tencer::app {
 namespace {
@@ -25,20 +29,31 @@ more. tencer design asks the same first.)";
 struct FeasibleRequest {
   SceneRequest scene;
   std::filesystem::path output;
+  bool json = false;
 };
 
-core::Expected<ExitCode> run_feasible(const FeasibleRequest& request, const core::Log& log) {
-  const auto scene = requested_scene(request.scene);
+core::Expected<ExitCode> run_feasible(const FeasibleRequest& request, const Console& console) {
+  Activity activity(console, "looking whether cables can hold this");
+  auto scene = requested_scene(request.scene);
   if (!scene) return scene.error();
-  for (const std::string& note : scene->notes) log(core::Level::info, note);
-  if (!request.output.empty())
+  if (!request.output.empty()) {
     if (const auto error = io::folder_problem(request.output)) return *error;
+    if (holds_design(request.output))
+      return core::Error{request.output.string(),
+                         "holds a design, whose picture this would replace; name another folder"};
+  }
+  if (const auto error = pipeline::scene_problem(*scene)) return *error;
   const Interrupt interrupt;
+  introduce(*scene, console);
   const auto found = pipeline::feasible(*scene, {.stop = interrupt.token()});
   if (!found) return found.error();
   if (!request.output.empty() && !found->targets.empty())
     if (const auto error = write_feasibility_files(request.output, *found)) return *error;
-  std::cout << model::report(*found);
+  activity.end();
+  if (request.json)
+    std::cout << io::summary_text(*found);
+  else
+    console.say(model::report(*found));
   return found->verdict == model::Verdict::can ? ExitCode::ok : ExitCode::tolerance_not_reached;
 }
 
@@ -51,10 +66,11 @@ void add_feasible(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<FeasibleRequest>();
   command->add_option("-o,--output", request->output,
                       "Folder for feasible.json and picture.svg [none]");
+  command->add_flag("--json", request->json, "Write JSON instead of words");
   add_scene(*command, request->scene,
             "As a design is asked for a number of cables: it may be further off");
   command->callback([&chosen, request] {
-    chosen = [request](const core::Log& log) { return run_feasible(*request, log); };
+    chosen = [request](const Console& console) { return run_feasible(*request, console); };
   });
 }
 

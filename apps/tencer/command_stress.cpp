@@ -16,10 +16,11 @@ constexpr const char* examples = R"(Examples:
 Each case converges to the digits it promises, or ends in a report that names the trouble. When one
 does neither, the exit code is 3.)";
 
-core::Expected<ExitCode> run_stress(stress::Format format) {
-  const int failed = stress::print_table(std::cout, format);
+core::Expected<ExitCode> run_stress(stress::Format format, const Console& console) {
+  std::ostream nowhere(nullptr);
+  const int failed = stress::print_table(console.quiet() ? nowhere : std::cout, format);
   if (failed == 0) return ExitCode::ok;
-  std::cout << '\n' << core::counted(failed, "case") << " FAILED\n";
+  console.say('\n' + core::counted(failed, "case") + " FAILED\n");
   return ExitCode::tolerance_not_reached;
 }
 
@@ -31,8 +32,8 @@ void add_stress(CLI::App& app, Command& chosen) {
   const auto markdown = std::make_shared<bool>(false);
   command->add_flag("--markdown", *markdown, "Print the tables of docs/stability.md");
   command->callback([&chosen, markdown] {
-    chosen = [markdown](const core::Log&) {
-      return run_stress(*markdown ? stress::Format::markdown : stress::Format::text);
+    chosen = [markdown](const Console& console) {
+      return run_stress(*markdown ? stress::Format::markdown : stress::Format::text, console);
     };
   });
 }

@@ -17,6 +17,7 @@
 #include "study/closed_forms.hpp"
 #include "study/folder_lock.hpp"
 #include "study/runs.hpp"
+#include "terminal/activity.hpp"
 
 namespace tencer::app {
 namespace {
@@ -86,11 +87,13 @@ std::string line_of(const study::Row& row) {
 }
 
 std::optional<core::Error> study_closed_forms(const std::filesystem::path& folder,
-                                              Draughtsman& draughtsman) {
+                                              Draughtsman& draughtsman, const Console& console) {
   constexpr std::array edges{10, 20, 40, 80, 160, 320, 640};
-  const auto rows = study::closed_form_errors(edges, [](const study::Accuracy& row) {
-    std::cout << row.problem << ", " << row.edges << " edges: relative error "
-              << std::setprecision(3) << row.error << ", " << row.seconds * 1e3 << " ms\n";
+  const auto rows = study::closed_form_errors(edges, [&](const study::Accuracy& row) {
+    std::ostringstream line;
+    line << row.problem << ", " << row.edges << " edges: relative error " << std::setprecision(3)
+         << row.error << ", " << row.seconds * 1e3 << " ms\n";
+    console.say(line.str());
   });
   if (auto error = io::write_file(folder / "closed-forms.csv", study::accuracy_text(rows)))
     return error;
@@ -134,7 +137,7 @@ std::optional<core::Error> choose_optimizers(const std::vector<std::string>& ask
   return std::nullopt;
 }
 
-core::Expected<ExitCode> run_study(StudyRequest request, const core::Log& log) {
+core::Expected<ExitCode> run_study(StudyRequest request, const Console& console) {
   if (request.choice.scenes.empty() && !request.closed_forms)
     return core::Error{"SCENES", "name scenes or curves to study, or give --closed-forms"};
   if (const auto error = choose_optimizers(request.optimizers, request.choice)) return *error;
@@ -150,9 +153,9 @@ core::Expected<ExitCode> run_study(StudyRequest request, const core::Log& log) {
   if (lock.problem()) return *lock.problem();
 
   const Interrupt interrupt;
-  Draughtsman draughtsman(folder, log);
+  Draughtsman draughtsman(folder, console.log());
   if (request.closed_forms)
-    if (const auto error = study_closed_forms(folder, draughtsman)) return *error;
+    if (const auto error = study_closed_forms(folder, draughtsman, console)) return *error;
   int short_of = 0;
   for (auto run = runs->begin(); run != runs->end() && !interrupt.token().stop_requested(); ++run) {
     auto row = std::ranges::find_if(
@@ -161,12 +164,14 @@ core::Expected<ExitCode> run_study(StudyRequest request, const core::Log& log) {
       return core::Error{run->file, "has the name of " + row->run.file + " in " + table.string() +
                                         "; name another folder"};
     if (row != rows->end() && !request.again) {
-      log(core::Level::info, title_of(*run) + ": done before");
+      console.log()(core::Level::info, title_of(*run) + ": done before");
     } else {
-      log(core::Level::info, title_of(*run) + " ...");
+      Activity activity(console, title_of(*run));
       auto made = study::make(*run, folder, request.time_limit, interrupt.token());
       if (!made) break;
-      std::cout << line_of(*made) << std::endl;
+      activity.end();
+      console.say(line_of(*made) + '\n');
+      std::cout.flush();
       row =
           row == rows->end() ? rows->insert(row, std::move(*made)) : (*row = std::move(*made), row);
       if (const auto error = io::write_file(table, study::table_text(*rows))) return *error;
@@ -178,11 +183,11 @@ core::Expected<ExitCode> run_study(StudyRequest request, const core::Log& log) {
         return *error;
   }
   if (interrupt.token().stop_requested())
-    std::cout << "interrupted: the same command goes on from here\n";
+    console.say("interrupted: the same command goes on from here\n");
   if (short_of > 0)
-    std::cout << core::counted(short_of, "run") << (short_of == 1 ? " is" : " are")
-              << " not complete; the table says why\n";
-  if (!rows->empty()) std::cout << "see " << table.string() << '\n';
+    console.say(core::counted(short_of, "run") + (short_of == 1 ? " is" : " are") +
+                " not complete; the table says why\n");
+  if (!rows->empty()) console.say("see " + table.string() + '\n');
   return short_of > 0 || interrupt.token().stop_requested() ? ExitCode::tolerance_not_reached
                                                             : ExitCode::ok;
 }
@@ -201,7 +206,7 @@ void add_study(CLI::App& app, Command& chosen) {
       ->add_option("--methods", request->choice.methods, "Ways to a network, with commas between")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"force-balance", "dense-springs"}))
+      ->check(one_of({"force-balance", "dense-springs"}))
       ->capture_default_str();
   command
       ->add_option("--optimizers", request->optimizers,
@@ -225,7 +230,7 @@ void add_study(CLI::App& app, Command& chosen) {
   command->add_flag("--closed-forms", request->closed_forms,
                     "Compare the forward solver with closed forms");
   command->callback([&chosen, request] {
-    chosen = [request](const core::Log& log) { return run_study(*request, log); };
+    chosen = [request](const Console& console) { return run_study(*request, console); };
   });
 }
 

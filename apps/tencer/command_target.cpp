@@ -91,7 +91,7 @@ void add_family(CLI::App& target, const curves::Family& family, Command& chosen)
       ->capture_default_str();
   add_output(*command, request->output);
   command->callback([&chosen, request] {
-    chosen = [request](const core::Log&) { return write_family(*request); };
+    chosen = [request](const Console&) { return write_family(*request); };
   });
 }
 
@@ -106,7 +106,7 @@ void add_random_knot(CLI::App& target, Command& chosen) {
   command->add_option("--vertices", options.vertices, "vertices of the rod")->capture_default_str();
   add_output(*command, request->output);
   command->callback([&chosen, request] {
-    chosen = [request](const core::Log&) { return write_random_knot(*request); };
+    chosen = [request](const Console&) { return write_random_knot(*request); };
   });
 }
 

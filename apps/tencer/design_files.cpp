@@ -1,7 +1,9 @@
 #include "design_files.hpp"
 
+#include <algorithm>
 #include <array>
 #include <iomanip>
+#include <set>
 #include <sstream>
 #include <system_error>
 #include <tencer/io/csv.hpp>
@@ -9,6 +11,8 @@
 #include <tencer/io/feasibility.hpp>
 #include <tencer/io/file.hpp>
 #include <tencer/io/trace.hpp>
+#include <tencer/model/target.hpp>
+#include <tencer/model/units.hpp>
 #include <utility>
 #include <vector>
 
@@ -53,6 +57,50 @@ std::string trade_off_csv(std::span<const model::Design> designs) {
   return text;
 }
 
+std::string folder_name(const model::Design& design) {
+  return "cables-" + std::to_string(design.structure.cables.size());
+}
+
+bool is_folder_name(const std::string& name) {
+  constexpr std::string_view start = "cables-";
+  return name.starts_with(start) && name.size() > start.size() &&
+         name.find_first_not_of("0123456789", start.size()) == std::string::npos;
+}
+
+// All files that a result may have in its folder, and in those of its numbers of cables.
+constexpr std::array result_files{"design.json", "trace.csv",   "pose.obj",      "report.txt",
+                                  "view.html",   "picture.svg", "trade-off.csv", "feasible.json"};
+
+std::optional<core::Error> remove_file(const fs::path& path) {
+  std::error_code failed;
+  if (!fs::is_regular_file(fs::symlink_status(path, failed)) || fs::remove(path, failed))
+    return std::nullopt;
+  return core::Error{
+      path.string(),
+      "is of the result that was here before, and cannot be removed: " + failed.message()};
+}
+
+// Removes what an earlier result has left in a folder that now has `written` files and `folders`.
+std::optional<core::Error> remove_stale(const fs::path& folder,
+                                        std::span<const io::NamedText> files,
+                                        const std::set<std::string>& folders = {}) {
+  for (const char* name : result_files)
+    if (std::ranges::find(files, name, &io::NamedText::name) == files.end())
+      if (auto error = remove_file(folder / name)) return error;
+  std::error_code failed;
+  std::vector<fs::path> old;
+  for (const auto& entry : fs::directory_iterator(folder, failed)) {
+    const std::string name = entry.path().filename().string();
+    if (is_folder_name(name) && !folders.contains(name) && entry.is_directory(failed))
+      old.push_back(entry.path());
+  }
+  for (const fs::path& one : old) {
+    if (auto error = remove_stale(one, {})) return error;
+    fs::remove(one, failed);  // when nothing else is in it
+  }
+  return std::nullopt;
+}
+
 // Folders that are not there yet: those of them that are made meanwhile are removed again, with the
 // files of designs in them, unless they are kept.
 class NewFolders {
@@ -91,24 +139,45 @@ class NewFolders {
 
 }  // namespace
 
+bool holds_design(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::exists(folder / "design.json", ignored);
+}
+
+std::optional<core::Error> result_problem(const fs::path& folder, const std::string& name,
+                                          bool force) {
+  if (auto error = io::folder_problem(folder)) return error;
+  if (force || !holds_design(folder)) return std::nullopt;
+  const std::string remedy = "; name another folder with -o, or replace it with --force";
+  const auto there = io::read_design(folder / "design.json");
+  if (!there)
+    return core::Error{(folder / "design.json").string(),
+                       "is there and is no design that can be read" + remedy};
+  if (there->name == name) return std::nullopt;
+  return core::Error{folder.string(),
+                     "holds the design of '" + there->name + "', not of '" + name + "'" + remedy};
+}
+
 std::optional<core::Error> write_design_files(const std::filesystem::path& folder,
                                               const model::Design& design) {
   if (auto error = io::design_problem(folder / "design.json", design)) return error;
-  return io::write_files(folder, files_of(design, view_page(design)));
+  const auto files = files_of(design, view_page(design));
+  if (auto error = io::write_files(folder, files)) return error;
+  return remove_stale(folder, files);
 }
 
 std::optional<core::Error> write_trade_off(const std::filesystem::path& folder,
                                            std::span<const model::Design> designs,
                                            const model::Design& asked) {
-  const auto folder_of = [&](const model::Design& design) {
-    return folder / ("cables-" + std::to_string(design.structure.cables.size()));
-  };
+  const auto folder_of = [&](const model::Design& design) { return folder / folder_name(design); };
+  std::set<std::string> folders;
   NewFolders made;
   made.add_above(folder.parent_path());
   made.add_design(folder);
   for (const auto& design : designs) {
     if (auto error = io::folder_problem(folder_of(design))) return error;
     made.add_design(folder_of(design));
+    folders.insert(folder_name(design));
   }
   for (const auto& design : designs)
     if (auto error = write_design_files(folder_of(design), design)) return error;
@@ -116,7 +185,7 @@ std::optional<core::Error> write_trade_off(const std::filesystem::path& folder,
   files.push_back({"trade-off.csv", trade_off_csv(designs)});
   if (auto error = io::write_files(folder, files)) return error;
   made.keep();
-  return std::nullopt;
+  return remove_stale(folder, files, folders);
 }
 
 std::optional<core::Error> write_feasibility_files(const std::filesystem::path& folder,
@@ -127,14 +196,18 @@ std::optional<core::Error> write_feasibility_files(const std::filesystem::path& 
 }
 
 std::string trade_off_table(std::span<const model::Design> designs) {
+  if (designs.empty()) return "";
   std::ostringstream text;
-  text << std::setprecision(3) << "cables  max %     rms %     eigenvalue  stands  settles\n";
+  text << std::setprecision(3) << "cables  max mm    max %     rms %     stands  settles\n";
   for (const auto& design : designs) {
     const model::Certificate& certificate = *design.certificate;
+    const double diagonal = model::diagonal({.points = design.target});
+    const double mm = 1000 * model::metres(design.length_unit) * diagonal / 100;
     text << std::left << std::setw(8) << design.structure.cables.size() << std::setw(10)
-         << design.error->max_percent << std::setw(10) << design.error->rms_percent << std::setw(12)
-         << certificate.smallest_eigenvalue << std::setw(8) << (certificate.stable ? "yes" : "no")
-         << (*certificate.settles_from_target ? "yes" : "no") << '\n';
+         << design.error->max_percent * mm << std::setw(10) << design.error->max_percent
+         << std::setw(10) << design.error->rms_percent << std::setw(8)
+         << (certificate.stable ? "yes" : "no") << (*certificate.settles_from_target ? "yes" : "no")
+         << '\n';
   }
   return text.str();
 }

@@ -6,7 +6,7 @@
 
 #include "command.hpp"
 #include "command_export.hpp"
-#include "console_log.hpp"
+#include "terminal/command_line.hpp"
 
 namespace tencer::app {
 namespace {
@@ -31,25 +31,6 @@ void complain(std::string text) {
   std::cerr << "tencer: " << text << '\n';
 }
 
-// What is wrong with the command line, and whose help to read.
-std::string parse_message(const CLI::App& app, const CLI::ParseError& error) {
-  std::string help = "tencer";
-  const CLI::App* command = &app;
-  while (!command->get_subcommands().empty()) {
-    command = command->get_subcommands().front();
-    help += " " + command->get_name();
-  }
-  std::string message = error.what();
-  const auto unread = app.remaining(true);
-  const auto known = command->get_subcommands({});
-  if (!known.empty() && !unread.empty()) {
-    message = "there is no '" + unread.front() + "' here; use one of ";
-    for (const CLI::App* one : known)
-      message += (one == known.front() ? "" : ", ") + one->get_name();
-  }
-  return message + " (see " + help + " --help)";
-}
-
 int run(int argc, char** argv) {
   CLI::App app("Hold bent elastic rods in a chosen 3D shape with as few cables as possible.",
                "tencer");
@@ -60,8 +41,8 @@ int run(int argc, char** argv) {
   app.fallthrough();  // inherited by the commands: --quiet may also come after them
   bool quiet = false;
   bool verbose = false;
-  app.add_flag("--quiet", quiet, "Say nothing but warnings and errors");
-  app.add_flag("--verbose", verbose, "Say more")->excludes("--quiet");
+  app.add_flag("-q,--quiet", quiet, "Say nothing but warnings and errors; the exit code tells");
+  app.add_flag("-v,--verbose", verbose, "Say more")->excludes("--quiet");
 
   Command chosen;
   add_design(app, chosen);
@@ -74,6 +55,8 @@ int run(int argc, char** argv) {
   add_target(app, chosen);
   add_stress(app, chosen);
   add_study(app, chosen);
+  add_completion(app, chosen);
+  add_manual(app, chosen);
 
   try {
     app.parse(argc, argv);
@@ -86,7 +69,7 @@ int run(int argc, char** argv) {
   const core::Level least = verbose ? core::Level::debug
                             : quiet ? core::Level::warning
                                     : core::Level::info;
-  const core::Expected<ExitCode> result = chosen(console_log(least));
+  const core::Expected<ExitCode> result = chosen(Console(least));
   if (!result) {
     complain(result.error().text());
     return static_cast<int>(ExitCode::bad_input);

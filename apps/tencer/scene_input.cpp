@@ -19,7 +19,7 @@ void add_scene(CLI::App& command, SceneRequest& request, const std::string& cabl
   command
       .add_option("--unit", request.unit,
                   "Of the curve's numbers: mm, cm, m, in or ft [the file's, else cm]")
-      ->check(CLI::IsMember(std::vector<std::string>(units.begin(), units.end())));
+      ->check(one_of({units.begin(), units.end()}));
   command
       .add_option("--max-error", request.max_error,
                   "Largest distance to the target, % of its bounding-box diagonal [the scene's, "

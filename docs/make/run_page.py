@@ -25,7 +25,7 @@ ROOT = pathlib.Path(__file__).parents[2]
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.M | re.S)
 PICTURE = re.compile(r'^<!-- picture: (\S+)(?: (\d+))? -->\n.*?(?:\(|src=")([^)"]+)', re.M)
 NUMBER = re.compile(r"-?\d+\.?\d*(?:e[-+]?\d+)?")
-SECONDS = re.compile(r", [0-9.e+-]+ s(;|$)")
+SECONDS = re.compile(r"(^|[,;] )[0-9.e+-]+ s(;| in all|$)")
 ROUNDING = 1e-6  # what is smaller differs from machine to machine
 PICTURE_SIZE = 500
 QUICKLY = "--time 0.2 --resolution 0.5 --length-error 0 --attachment-error 0"

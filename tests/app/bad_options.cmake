@@ -5,21 +5,26 @@ include(${CMAKE_CURRENT_LIST_DIR}/run_tencer.cmake)
 run_tencer(target ellipse --vertices 24 -o ring.obj)
 expect_status(0)
 
-refused("A subcommand is required" "(see tencer --help)")
-refused("there is no 'desing' here" "use one of design, feasible, " desing ring.obj)
+refused("a command is missing; use one of design, feasible, " "(see tencer --help)")
+refused("there is no 'desing' here" "did you mean design?" desing ring.obj)
+refused("there is no 'paint' here" "use one of design, feasible, " paint ring.obj)
 refused("INPUT is required" "(see tencer design --help)" design)
-refused("The following argument was not expected: --nosuch" "(see tencer design --help)"
-  design ring.obj -o out --nosuch)
-refused("The following argument was not expected: more.obj" "(see tencer design --help)"
-  design ring.obj more.obj -o out)
+refused("there is no option --nosuch" "(see tencer design --help)" design ring.obj -o out --nosuch)
+refused("there is no option --max-eror (did you mean --max-error?)" "(see tencer design --help)"
+  design ring.obj -o out --max-eror 3)
+refused("there is no option --optmizer (did you mean --optimizer?) and --colsed (did you mean --closed?)"
+  "(see tencer design --help)" design --optmizer mma ring.obj --colsed)
+refused("'more.obj' is too much" "(see tencer design --help)" design ring.obj more.obj -o out)
+refused("--cables: its value is missing" "(see tencer design --help)" design ring.obj --cables)
 foreach(value 0 -1 nan inf small)
   refused("--max-error: " "expected a positive number, found ${value}"
     design ring.obj -o out --max-error ${value})
   refused("--tolerance: " "expected a positive number, found ${value}"
     simulate design.json --tolerance ${value})
 endforeach()
-refused("--optimizer: " "gauss-newton," design ring.obj -o out --optimizer snopt)
-refused("--hessian: " "limited-memory,gauss-newton,exact" design ring.obj -o out --hessian full)
+refused("--optimizer: " "use one of gauss-newton, " design ring.obj -o out --optimizer bfgs)
+refused("--optimizer: " "did you mean ipopt?" design ring.obj -o out --optimizer IPOPT)
+refused("--hessian: " "limited-memory, gauss-newton, exact" design ring.obj -o out --hessian full)
 refused("--from: " "pose" simulate design.json --from here)
 refused("--cables: " "inextensible" simulate design.json --cables ropes)
 foreach(value 0 1.5 1001)
@@ -40,7 +45,7 @@ foreach(value 0 nan 2ft)
   refused("--stock: " "expected a length above zero in mm, cm or m, found ${value}"
     fabricate design.json --stock ${value})
 endforeach()
-refused("--paper: " "a4,letter" fabricate design.json --paper a3)
+refused("--paper: " "did you mean a4?" fabricate design.json --paper a3)
 refused("--price-rod: " "expected a positive number, found 0" fabricate design.json --price-rod 0)
 refused("none.json: " "there is no such file" fabricate none.json -o out)
 refused("none.json: " "there is no such file" view none.json -o page.html)
@@ -60,9 +65,9 @@ refused("none.json: " "there is no such file" design ring.obj -o out --from none
 refused("--keep: " "expected a positive whole number, found 0"
   design ring.obj -o out --from none.json --keep 0)
 refused("--material: " "glass fibre, carbon" design ring.obj -o out --material cheese)
-refused("--method: " "force-balance,dense-springs" design ring.obj -o out --method luck)
-refused("--objective: " "max,rms" design ring.obj -o out --objective mean)
-refused("--symmetry: " "none,offer,detect" design ring.obj -o out --symmetry some)
+refused("--method: " "force-balance, dense-springs" design ring.obj -o out --method luck)
+refused("--objective: " "max, rms" design ring.obj -o out --objective worst)
+refused("--symmetry: " "none, offer, detect" design ring.obj -o out --symmetry mirror)
 
 # Options that do not go together.
 refused("--cables: " "drop --cables" design ring.obj -o out --trade-off --cables 5)

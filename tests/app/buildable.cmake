@@ -22,9 +22,9 @@ expect_contains("${design}" "\"schema\": \"tencer-design/2\"")
 expect_contains("${design}" "\"section\": {\"shape\":\"circle\",\"radius\":0.076}")
 expect_contains("${design}" "\"name\": \"ash\"")
 
-# A section that breaks is told, also when all else is quiet, and the file says why it falls short.
+# A section that breaks is told, and the file says why it falls short.
 file(WRITE ${WORK}/thick.toml "[[rod]]\ncurve = \"ring.obj\"\nsection = {radius = 1}\n")
-run_tencer(design thick.toml -o thick --quiet)
+run_tencer(design thick.toml -o thick)
 expect_status(3)
 expect_contains("${err}" "warning: the rod is bent to a strain of 5.")
 expect_contains("${out}" "not complete: the rod is bent to a strain of ")
@@ -34,7 +34,7 @@ expect_contains("${design}" "glass fibre breaks at 2 %; a radius of 0.")
 
 # Corners are no bends.
 file(WRITE ${WORK}/square.xyz "0 0 0\n5 0 0\n10 0 0\n10 5 0\n10 10 0\n5 10 0\n0 10 0\n0 5 0\n0 0 0\n")
-run_tencer(design square.xyz -o square --quiet)
+run_tencer(design square.xyz -o square)
 expect_status(3)
 expect_contains("${err}" "warning: the rod has a corner at arc length 0 cm, (0, 0, 0)")
 
@@ -61,7 +61,7 @@ endif()
 
 # What errors may move is as the command line says.
 run_tencer(target trefoil-hypotrochoid --vertices 24 -o small.obj)
-run_tencer(design small.obj -o strict --quiet --max-deviation 0.1mm)
+run_tencer(design small.obj -o strict --max-deviation 0.1mm)
 expect_status(3)
 expect_contains("${out}" "not the 0.1 mm allowed")
 refused("--max-deviation" "%, mm, cm or m, found 3 feet" design small.obj -o out
@@ -69,6 +69,6 @@ refused("--max-deviation" "%, mm, cm or m, found 3 feet" design small.obj -o out
 
 # Too few vertices for what they stand for are told.
 run_tencer(target torus-knot --vertices 48 -o coarse.obj)
-run_tencer(design coarse.obj -o coarse --quiet)
+run_tencer(design coarse.obj -o coarse)
 expect_status(3)
 expect_contains("${out}" "converged: with 8 edges for each ")

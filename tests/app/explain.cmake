@@ -1,14 +1,19 @@
-# What a scene needs and what is left out is said before the design is made.
+# What a scene needs and what is left out is said without a design.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/run_tencer.cmake)
 
 run_tencer(target ellipse --vertices 24 -o ring.obj)
 expect_status(0)
-run_tencer(design ring.obj -o ring --explain --quiet)
+run_tencer(design ring.obj -o ring --dry-run)
 expect_status(0)
-string(REGEX MATCH "left out:\n(.*)needed:\n(.*) cables?, max error" parts "${out}")
-set(left_out "${CMAKE_MATCH_1}")
-set(needed "${CMAKE_MATCH_2}")
+expect_contains("${err}" "1 closed rod, ")
+expect_contains("${out}" "the result would be in ring/; nothing was written")
+if(EXISTS ${WORK}/ring)
+  message(SEND_ERROR "--dry-run, but there is a folder")
+endif()
+string(REGEX MATCH "needed:\n(.*)left out:\n(.*)the result would" parts "${out}")
+set(needed "${CMAKE_MATCH_1}")
+set(left_out "${CMAKE_MATCH_2}")
 foreach(part theta loads "external cables" symmetry "outer optimizer")
   expect_contains("${left_out}" "  ${part} ")
 endforeach()
@@ -19,11 +24,11 @@ endforeach()
 
 file(WRITE ${WORK}/plane.toml "planar = true\n[[rod]]\ncurve = \"ring.obj\"
 section = {shape = \"rectangle\", width = 0.1, height = 0.2}\n")
-run_tencer(design plane.toml -o plane --explain --quiet)
+run_tencer(design plane.toml -o plane --dry-run)
 expect_status(0)
-string(REGEX MATCH "left out:\n(.*)needed:\n(.*) cables?, max error" parts "${out}")
-expect_contains("${CMAKE_MATCH_1}" "24 unknowns fewer")
-expect_contains("${CMAKE_MATCH_2}" "an angle an edge where the section has two axes: the rod")
+string(REGEX MATCH "needed:\n(.*)left out:\n(.*)the result would" parts "${out}")
+expect_contains("${CMAKE_MATCH_2}" "24 unknowns fewer")
+expect_contains("${CMAKE_MATCH_1}" "an angle an edge where the section has two axes: the rod")
 
 # Coarser rods for one design.
 run_tencer(design ring.obj -o half --resolution 0.5 --quiet)

@@ -43,7 +43,7 @@ file(WRITE ${WORK}/link/design.json "${link}")
 run_tencer(fabricate link/design.json --joint 30 --knot 5cm --stock 1m --price-rod 2)
 expect_status(0)
 expect_contains("${out}" "link/sheet/sheet.pdf: 2 rods, 4 cables, cut with 30 mm for a joint and 50 mm")
-expect_contains("${err}" "WARNING: link/design.json: the design is not checked")
+expect_contains("${err}" "warning: link/design.json: the design is not checked")
 
 # text_of(FOLDER RESULT): the words of a sheet, a table's row on a line.
 function(text_of folder result)
@@ -269,9 +269,9 @@ if(NOT err STREQUAL "")
 endif()
 list(REMOVE_ITEM all "comes back" holds)
 checked(null "" "${all}" "Checked in part: nothing fails" "Not looked at: comes back, holds.")
-expect_contains("${err}" "WARNING: checked.json: the design is checked in part only")
+expect_contains("${err}" "warning: checked.json: the design is checked in part only")
 checked(false "\"stands: it does not\"" "${all}" "Checked: it does not pass" "stands: it does not.")
-expect_contains("${err}" "WARNING: checked.json: the design does not pass its check")
+expect_contains("${err}" "warning: checked.json: the design does not pass its check")
 
 # What cannot be cut is refused, and leaves nothing behind.
 file(COPY_FILE ${WORK}/link/design.json ${WORK}/link.json)

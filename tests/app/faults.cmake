@@ -17,7 +17,7 @@ endfunction()
 
 # Standard output that cannot be written.
 if(EXISTS /dev/full)
-  foreach(command "target ellipse" "simulate kept/design.json" "design ring.obj -o other --quiet")
+  foreach(command "target ellipse" "simulate kept/design.json" "design ring.obj -o other")
     run_shell("\"$1\" ${command} >/dev/full")
     expect_status(1)
     expect_contains("${err}" "tencer: standard output cannot be written\n")

@@ -23,7 +23,7 @@ function(count_lines folder result)
 endfunction()
 
 # One scene that fails does not stop the study.
-run_tencer(study broken.toml ring.obj straight.xyz -o all --methods force-balance --quiet)
+run_tencer(study broken.toml ring.obj straight.xyz -o all --methods force-balance)
 expect_status(3)
 expect_contains("${out}" "broken, force-balance, gauss-newton, x1: ")
 expect_contains("${out}" "failed: broken.toml:3: ")

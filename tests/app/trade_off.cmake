@@ -15,12 +15,9 @@ endfunction()
 
 # All numbers: a line and a folder each, and the design asked for above them.
 set(exact --length-error 0 --attachment-error 0)
-run_tencer(design knot.obj -o all --trade-off --quiet ${exact})
+run_tencer(design knot.obj -o all --trade-off ${exact})
 expect_status(0)
 set(printed "${out}")
-if(NOT err STREQUAL "")
-  message(SEND_ERROR "--quiet, but: ${err}")
-endif()
 read_table(all/trade-off.csv
   "cables,max_percent,rms_percent,smallest_eigenvalue,stands,settles" 3 lines)
 list(LENGTH lines numbers)
@@ -102,7 +99,7 @@ if(max_percent GREATER 1)
 endif()
 
 # Fewer cables than can hold it: said of the number, not of the max error.
-run_tencer(design knot.obj -o one --cables 1 --quiet)
+run_tencer(design knot.obj -o one --cables 1)
 expect_status(3)
 expect_contains("${out}" "cables: none was found with 1 or fewer")
 string(FIND "${out}" "max error is above" at)
@@ -114,7 +111,7 @@ expect_contains("${design}" "\"status\": \"tolerance-not-reached\"")
 
 # Rods that rest by themselves have one line.
 file(WRITE ${WORK}/straight.xyz "0 0 0\n1 0 0\n2 0 0\n3 0 0\n")
-run_tencer(design straight.xyz -o straight --trade-off --quiet)
+run_tencer(design straight.xyz -o straight --trade-off)
 expect_status(0)
 expect_contains("${out}" "the rods rest in this shape by themselves")
 file(STRINGS ${WORK}/straight/trade-off.csv lines)

@@ -72,7 +72,7 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
        "trefoil-hypotrochoid, trefoil-2-3, trefoil-3-2, twin-trefoils, borromean-ellipses, "
        "knot-3_1, knot-4_1, knot-5_1, knot-5_2, knot-6_1, knot-6_2, knot-6_3, knot-7_1, knot-7_2, "
        "knot-7_3, knot-7_4, knot-7_5, knot-7_6, knot-7_7, found "
-       "\"torusknot\""},
+       "\"torusknot\"; did you mean \"torus-knot\"?"},
       {"[[rod]]\nfamily = 'torus-knot'\nparameters = {p = 4, q = 2}\n",
        "s.toml:3: rod[0].parameters: p and q must have no common divisor, or the curve is traced "
        "several times"},
@@ -203,6 +203,13 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
       {design + "optimizer = 'knitro'\n",
        "s.toml:4: design.optimizer: expected one of gauss-newton, ipopt, mma, ccsaq, found "
        "\"knitro\""},
+      {design + "optimizer = 'Ipopt'\n",
+       "s.toml:4: design.optimizer: expected one of gauss-newton, ipopt, mma, ccsaq, found "
+       "\"Ipopt\"; did you mean \"ipopt\"?"},
+      {design + "optimizer = ipopt # the usual one\n",
+       "s.toml:4: texts are in quotes: optimizer = \"ipopt\""},
+      {"[rod]\ncurve = 'ring.obj'\n",
+       "s.toml:1: rod: is one table, where there may be several; write [[rod]] for [rod]"},
       {design + "optimizer = 'mma'\nhessian = 'exact'\n",
        "s.toml:5: design.hessian: belongs to the optimizer ipopt or gauss-newton; mma uses "
        "gradients only"},

@@ -88,8 +88,8 @@ TEST_CASE("a published model is read as a design in cm and N") {
   CHECK(io::read_curves(path).value().at(0).closed);
   CHECK(io::read_any_scene(path, {.close = true}).error().text() ==
         path.string() +
-            ": says itself which curves are closed and in which units it is; what is said of that "
-            "beside the file (closed, unit) is for bare curves");
+            ": says itself which curves are closed and in which units it is; --closed is for bare "
+            "curves: leave it out");
 }
 
 TEST_CASE("what the paper's program saves is the same design, its frame being anchors") {

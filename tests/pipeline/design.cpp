@@ -46,7 +46,7 @@ TEST_CASE("a closed rod: the design stands, and rests where its file says") {
   std::set<std::string> reported;
   const model::Design design = designed(scene, {.progress = [&](const network::Progress& progress) {
                                           reported.insert(std::string(progress.stage));
-                                          CHECK(progress.cables > 0);
+                                          CHECK(progress.cables >= 0);
                                           CHECK(progress.seconds >= 0);
                                         }});
 

@@ -1,3 +1,4 @@
+#include <limits>
 #include <tencer/network/stage_recorder.hpp>
 #include <tencer/sensitivity/distance.hpp>
 #include <utility>
@@ -17,7 +18,9 @@ std::string remark_on(const StageResult& result) {
 }  // namespace
 
 StageRecorder::StageRecorder(std::string stage, const Control& control)
-    : stage_(std::move(stage)), control_(control) {}
+    : stage_(std::move(stage)), control_(control) {
+  report(0, std::numeric_limits<double>::quiet_NaN());
+}
 
 double StageRecorder::seconds() const { return seconds_since(begin_); }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <string>
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/model/frames.hpp>
@@ -30,6 +31,11 @@ void say(const RunOptions& options, core::Level level, const std::string& text) 
   if (options.log) options.log(level, text);
 }
 
+// That a stage begins, before there is a network.
+void tell_stage(std::string_view stage, const RunOptions& options) {
+  options.progress({.stage = stage, .max_percent = std::numeric_limits<double>::quiet_NaN()});
+}
+
 void suggest_symmetry(const ground_structure::Problem& problem, const RunOptions& options) {
   if (!options.log) return;
   const std::string found = symmetry_in_words(problem);
@@ -39,12 +45,11 @@ void suggest_symmetry(const ground_structure::Problem& problem, const RunOptions
                                      "detect, the cables have it too");
 }
 
-// What is known before the search: what is to be built, what was made of the input, bends that the
-// rods do not hold, rods that touch, what is left out, symmetries.
+// What is known before the search: what was made of the input, bends that the rods do not hold,
+// rods that touch, what is left out, symmetries.
 void introduce(const Task& task, const RunOptions& options) {
   const model::Scene& scene = task.scene;
   const ground_structure::Problem& problem = task.prepared.problem;
-  say(options, core::Level::info, model::in_one_line(scene));
   for (const std::string& note : scene.notes) say(options, core::Level::info, note);
   for (const std::string& warning :
        target_warnings(scene, problem.structure, problem.start, task.prepared.scaling.scale.length))
@@ -56,8 +61,9 @@ void introduce(const Task& task, const RunOptions& options) {
     suggest_symmetry(problem, options);
 }
 
-core::Expected<Task> begin(const model::Scene& scene, const RunOptions& options) {
+core::Expected<Task> task_of(const model::Scene& scene, const RunOptions& options) {
   const model::DesignSettings& settings = scene.design;
+  tell_stage("prepare", options);
   Task task{.scene = scene};
   // The steps of force-balance's own are Gauss-Newton's: they need no backend.
   if (settings.method == model::Method::dense_springs ||
@@ -76,8 +82,15 @@ core::Expected<Task> begin(const model::Scene& scene, const RunOptions& options)
     if (!released) return released.error();
     task.released = std::move(*released);
   }
-  introduce(task, options);
+  return task;
+}
+
+core::Expected<Task> begin(const model::Scene& scene, const RunOptions& options) {
+  auto task = task_of(scene, options);
+  if (!task) return task;
+  introduce(*task, options);
   if (options.feasible_first) {
+    tell_stage("feasible", options);
     const auto found = feasible(scene, {.mends = TryMends::if_it_cannot, .stop = options.stop});
     if (!found) return found.error();
     if (found->verdict == model::Verdict::cannot)
@@ -164,8 +177,14 @@ model::Check check_building(const Task& task, const Design& design, const RunOpt
 // The design of a network: complete unless it falls short of something.
 Design certified(const Task& task, const Network& network, const RunOptions& options) {
   Design design = recorded(task, network);
+  const auto tell = [&](std::string_view stage) {
+    options.progress(
+        {.stage = stage, .cables = cable_count(network), .max_percent = design.error->max_percent});
+  };
+  tell("settle");
   design.trace.push_back(check_settling(task, network, design));
   const bool unit_known = std::ranges::count(model::length_units(), design.length_unit) > 0;
+  tell("check");
   if (design.certificate->stable && cable_count(network) > 0 && unit_known)
     design.check = check_building(task, design, options);
   design.status = model::shortfalls(design).empty() ? model::DesignStatus::complete
@@ -250,6 +269,13 @@ const Design& best_for(const model::Goal& goal, std::span<const Design> designs)
   const Design* standing = picked([](const Design& design) { return score_of(design).stands(); });
   if (standing && goal.met(score_of(*standing))) return *standing;
   return *picked([](const Design&) { return true; });
+}
+
+std::optional<core::Error> scene_problem(const model::Scene& scene, const RunOptions& options) {
+  if (auto error = check_edit(scene)) return error;
+  const model::Scene ready = ready_to_design(scene);
+  const auto task = task_of(ready, options);
+  return task ? std::nullopt : std::optional(task.error());
 }
 
 core::Expected<Design> design(const model::Scene& scene, const RunOptions& options) {

@@ -1,6 +1,7 @@
 #include "methods.hpp"
 
 #include <algorithm>
+#include <iomanip>
 #include <sstream>
 #include <tencer/core/words.hpp>
 #include <tencer/elimination/eliminate.hpp>
@@ -131,10 +132,10 @@ class Stages {
   void add(StageResult next) {
     for (const auto& row : next.trace) {
       std::ostringstream line;
-      line << row.stage << ": " << core::counted(row.cables, "cable") << ", max error "
-           << row.max_percent << " %, " << row.seconds << " s" << (row.note.empty() ? "" : "; ")
-           << row.note;
-      if (options_.log) options_.log(core::Level::info, line.str());
+      line << std::setprecision(3) << row.stage << ": " << core::counted(row.cables, "cable")
+           << ", max error " << row.max_percent << " %, " << row.seconds << " s"
+           << (row.note.empty() ? "" : "; ") << row.note;
+      if (options_.log) options_.log(core::Level::debug, line.str());
       trace_.push_back(row);
     }
     result_ = std::move(next);

@@ -2,6 +2,7 @@
 
 #include "design/design_json.hpp"
 #include "design/json_value.hpp"
+#include "design/parse_design.hpp"
 #include "design/pretty_json.hpp"
 #include "text/bad_input.hpp"
 #include "text/read_text.hpp"
@@ -179,7 +180,7 @@ Json check_to_json(const Check& check, const Design& design) { return to_json(ch
 
 core::Expected<CheckedDesign> read_checked_design(const std::filesystem::path& path) {
   return guarded([&] {
-    const nlohmann::json content = JsonValue::parse(read_text(path), shown(path));
+    const nlohmann::json content = parse_design(path);
     const JsonValue root(content, shown(path));
     CheckedDesign read{.design = any_design(root, path)};
     if (root.has("check")) read.check = filed_check(root["check"]);

@@ -1,8 +1,10 @@
 #include <tencer/io/design.hpp>
 #include <tencer/io/file.hpp>
 
+#include "curves/curve_format.hpp"
 #include "design/design_json.hpp"
 #include "design/json_value.hpp"
+#include "design/parse_design.hpp"
 #include "design/pretty_json.hpp"
 #include "design/published_json.hpp"
 #include "text/bad_input.hpp"
@@ -23,9 +25,20 @@ model::Design any_design(const JsonValue& root, const std::filesystem::path& pat
   return design;
 }
 
+nlohmann::json parse_design(const std::filesystem::path& path) {
+  const std::string text = read_text(path);
+  const bool scene = path.extension() == ".toml";
+  if (scene || format_of(path, text, shown(path)) != CurveFormat::json) {
+    const std::string what = scene ? "is a scene" : "is a curve";
+    fail(shown(path), what + ", and a design is needed; design its cables first: tencer design " +
+                          path.string());
+  }
+  return JsonValue::parse(text, shown(path));
+}
+
 core::Expected<model::Design> read_design(const std::filesystem::path& path) {
   return guarded([&] {
-    const nlohmann::json content = JsonValue::parse(read_text(path), shown(path));
+    const nlohmann::json content = parse_design(path);
     return any_design(JsonValue(content, shown(path)), path);
   });
 }

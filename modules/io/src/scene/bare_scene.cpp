@@ -31,10 +31,9 @@ std::string words_for(const std::string& unit) {
 
 void refuse_curve_options(const std::filesystem::path& path, const SceneOptions& options) {
   if (options.close || options.length_unit || options.force_unit)
-    fail(
-        shown(path),
-        "says itself which curves are closed and in which units it is; what is said of that beside "
-        "the file (closed, unit) is for bare curves");
+    fail(shown(path),
+         std::string("says itself which curves are closed and in which units it is; ") +
+             (options.close ? "--closed" : "--unit") + " is for bare curves: leave it out");
 }
 
 Scene scene_of_design(const nlohmann::json& content, const std::filesystem::path& path,
@@ -43,6 +42,8 @@ Scene scene_of_design(const nlohmann::json& content, const std::filesystem::path
   Scene scene =
       model::scene_of(any_design(JsonValue(content, shown(path)), path), options.material);
   scene.source = shown(path);
+  scene.notes.emplace_back(
+      "the file is a design: cables are designed anew for its target; --from goes on from its own");
   long vertices = 0;
   for (const Eigen::Matrix3Xd& points : scene.target.points) vertices += points.cols();
   if (vertices > most_vertices)

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <regex>
+#include <tencer/core/nearest.hpp>
 
 #include "text/bad_input.hpp"
 #include "text/text.hpp"
@@ -55,6 +57,21 @@ void check_depth(std::string_view text, const std::string& file) {
   }
 }
 
+std::string quoted_value(std::string_view text) {
+  return std::string(1, '"').append(text).append(1, '"');
+}
+
+// Where this line, counted from 1, gives a key a bare word, that with its quotes; else empty.
+std::string unquoted_text(std::string_view text, std::size_t line) {
+  const auto all = lines(text);
+  if (line < 1 || line > all.size()) return "";
+  const std::string whole(all[line - 1]);
+  static const std::regex bare(R"(\s*([\w-]+)\s*=\s*([A-Za-z/.~][^"'#\[\]{}=,]*?)\s*(#.*)?)");
+  std::smatch parts;
+  if (!std::regex_match(whole, parts, bare)) return "";
+  return parts.str(1) + " = " + quoted_value(parts.str(2));
+}
+
 }  // namespace
 
 toml::table TomlTable::parse(std::string_view text, const std::string& file) {
@@ -64,8 +81,11 @@ toml::table TomlTable::parse(std::string_view text, const std::string& file) {
   try {
     return file.empty() ? toml::parse(text) : toml::parse(text, file);
   } catch (const toml::parse_error& error) {
-    io::fail(file + ":" + std::to_string(error.source().begin.line),
-             "is not valid TOML: " + std::string(error.description()));
+    const auto line = error.source().begin.line;
+    const std::string unquoted = unquoted_text(text, line);
+    io::fail(file + ":" + std::to_string(line),
+             unquoted.empty() ? "is not valid TOML: " + std::string(error.description())
+                              : "texts are in quotes: " + unquoted);
   }
 }
 
@@ -133,9 +153,10 @@ std::optional<std::string> TomlTable::text(std::string_view key) const {
 std::optional<std::string> TomlTable::one_of(std::string_view key,
                                              std::span<const std::string_view> choices) const {
   const auto value = text(key);
-  if (value && std::ranges::find(choices, *value) == choices.end())
-    expected(*table_->get(key), path_to(key), "one of " + joined(choices));
-  return value;
+  if (!value || std::ranges::find(choices, *value) != choices.end()) return value;
+  const std::string_view meant = core::nearest(*value, choices);
+  fail(key, "expected one of " + joined(choices) + ", found " + quoted_value(*value) +
+                (meant.empty() ? "" : "; did you mean " + quoted_value(meant) + "?"));
 }
 
 double TomlTable::finite(const toml::node& node, const std::string& path) const {
@@ -255,6 +276,9 @@ std::optional<TomlTable> TomlTable::table(std::string_view key) const {
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
   std::vector<TomlTable> result;
+  if (const toml::node* node = table_->get(key); node && node->is_table())
+    fail(key, "is one table, where there may be several; write [[" + path_to(key) + "]] for [" +
+                  path_to(key) + "]");
   if (const toml::array* list = array(key, "an array of tables"))
     for (const toml::node& node : *list) {
       const std::string path = element(path_to(key), result.size());

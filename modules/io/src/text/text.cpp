@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <numeric>
+#include <tencer/core/nearest.hpp>
 
 namespace tencer::io {
 namespace {
@@ -14,22 +14,6 @@ std::optional<T> parse_all(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
-}
-
-// Levenshtein distance.
-std::size_t edits(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
 }
 
 }  // namespace
@@ -73,15 +57,7 @@ std::vector<std::string_view> lines(std::string_view text) {
 }
 
 std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
-  std::string_view best;
-  std::size_t fewest = std::max<std::size_t>(3, word.size() / 2 + 1);
-  for (const std::string_view candidate : known) {
-    const std::size_t count = edits(word, candidate);
-    if (count < fewest) {
-      fewest = count;
-      best = candidate;
-    }
-  }
+  const std::string_view best = core::nearest(word, known);
   return best.empty() ? "known here: " + joined(known) : "did you mean " + std::string(best) + "?";
 }
 

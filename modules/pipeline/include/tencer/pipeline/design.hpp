@@ -1,6 +1,7 @@
 // From a scene to certified networks of cables.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <tencer/core/error.hpp>
@@ -20,8 +21,10 @@ struct RunOptions {
   std::vector<optimize::Backend> backends = pipeline::backends();
   // The best design so far is returned, marked as interrupted and without the last check.
   std::stop_token stop{};
-  network::ProgressSink progress{};  // called by one thread at a time, not always the same one
-  core::Log log{};                   // may be empty; called by the thread that designs
+  // Called by one thread at a time, not always the same one; a stage that begins has no cables yet,
+  // and its error is NaN.
+  network::ProgressSink progress{};
+  core::Log log{};  // may be empty; called by the thread that designs
   // Whether to look first if cables can hold the shape (pipeline/feasible.hpp); that they cannot is
   // an error, before a search that would find nothing.
   bool feasible_first = true;
@@ -37,6 +40,9 @@ struct RunOptions {
 // optimizer that is not in the build, rules that allow no cable, a rod that crosses itself, anchors
 // that do not enclose the target.
 core::Expected<model::Design> design(const model::Scene& scene, const RunOptions& options = {});
+
+// What design() refuses of the scene, known without a search.
+std::optional<core::Error> scene_problem(const model::Scene& scene, const RunOptions& options = {});
 
 // All numbers of cables on the way down in one run: certified designs, the fewest cables first,
 // each closer to the target than those with fewer. Never empty.

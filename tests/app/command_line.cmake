@@ -1,0 +1,93 @@
+# The command line as shells, man and other programs know it: completion, the manual page, JSON.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/run_tencer.cmake)
+
+# completes(LINE WORD...): bash, at the end of LINE, offers these words and no other.
+run_tencer(completion bash)
+expect_status(0)
+file(WRITE ${WORK}/tencer.bash "${out}")
+function(completes line)
+  execute_process(COMMAND ${BASH} -c [=[
+      source tencer.bash
+      read -ra COMP_WORDS <<<"$1"
+      [[ $1 == *' ' ]] && COMP_WORDS+=('')
+      COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
+      _tencer
+      echo "${COMPREPLY[*]}"
+    ]=] bash "${line}" WORKING_DIRECTORY ${WORK}
+    RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  list(JOIN ARGN " " expected)
+  if(NOT status EQUAL 0 OR NOT out STREQUAL "${expected}\n" OR NOT err STREQUAL "")
+    message(SEND_ERROR "'${line}' is completed by: ${out}${err}")
+  endif()
+endfunction()
+completes("tencer des" design)
+completes("tencer target trefoil-2" trefoil-2-3)
+completes("tencer design --optim" --optimizer)
+completes("tencer design --optimizer ip" ipopt)
+completes("tencer design curve.obj --quie" --quiet)
+completes("tencer simulate --from " target pose)
+completes("tencer target torus-knot --p" --p)
+completes("tencer completion " bash zsh fish)
+completes("tencer design ")  # files
+completes("tencer design -o ")
+
+# The other shells read theirs, where they are installed.
+foreach(shell zsh fish)
+  run_tencer(completion ${shell})
+  expect_status(0)
+  expect_contains("${out}" "gauss-newton ipopt mma ccsaq")
+  file(WRITE ${WORK}/tencer.${shell} "${out}")
+  find_program(${shell} ${shell})
+  if(${shell})
+    execute_process(COMMAND ${${shell}} -n tencer.${shell} WORKING_DIRECTORY ${WORK}
+      RESULT_VARIABLE status ERROR_VARIABLE err)
+    expect_status(0)
+  endif()
+endforeach()
+
+# Every option of every command is in the manual.
+run_tencer(manual)
+expect_status(0)
+set(manual "${out}")
+expect_contains("${manual}" ".TH TENCER 1 ")
+foreach(command design simulate check fabricate feasible study completion)
+  expect_contains("${manual}" ".SS tencer ${command}\n")
+  run_tencer(${command} --help)
+  string(REGEX MATCHALL "\n  (-[a-z],)?--[a-z-]+" options "${out}")
+  foreach(option IN LISTS options)
+    string(REGEX REPLACE "^.*--" "" option "${option}")
+    if(NOT option STREQUAL help)
+      string(REPLACE "-" "\\-" option "${option}")
+      expect_contains("${manual}" "\\fB\\-\\-${option}\\fR")
+    endif()
+  endforeach()
+endforeach()
+
+# JSON is all that is on stdout, with the names of design.json; words are on neither when it is quiet.
+file(WRITE ${WORK}/straight.xyz "0 0 0\n1 0 0\n2 0 0\n3 0 0\n")
+run_tencer(design straight.xyz -o straight --json --quiet)
+expect_status(0)
+string(JSON state GET "${out}" status)
+string(JSON folder GET "${out}" folder)
+string(JSON cables LENGTH "${out}" cables)
+string(JSON largest GET "${out}" error max_percent)
+if(NOT "${state} ${folder} ${cables}" STREQUAL "complete straight 0" OR largest GREATER 1e-6)
+  message(SEND_ERROR "not what was designed: ${out}")
+endif()
+run_tencer(simulate straight/design.json --json)
+expect_status(0)
+string(JSON stays GET "${out}" stays)
+run_tencer(feasible straight.xyz --json)
+expect_status(0)
+string(JSON verdict GET "${out}" verdict)
+if(NOT "${stays} ${verdict}" STREQUAL "ON can")
+  message(SEND_ERROR "it stays: ${stays}, it can be held: ${verdict}")
+endif()
+foreach(command "simulate straight/design.json" "feasible straight.xyz" "check straight/design.json")
+  separate_arguments(words UNIX_COMMAND "${command}")
+  run_tencer(${words} -q)
+  if(NOT out STREQUAL "" OR NOT err STREQUAL "")
+    message(SEND_ERROR "tencer ${command} -q says: ${out}${err}")
+  endif()
+endforeach()

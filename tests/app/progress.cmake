@@ -1,0 +1,40 @@
+# A search is never silent for long: a line that is rewritten on a terminal, lines in a log.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/run_tencer.cmake)
+
+run_tencer(target torus-knot --p 5 --q 3 --vertices 120 -o knot.obj)
+expect_status(0)
+set(design design knot.obj --time 2.5 --length-error 0 --attachment-error 0)
+
+run_tencer(${design} -o log)
+if(NOT err MATCHES "(^|\n)1 closed rod, [^\n]*\n")
+  message(SEND_ERROR "what was understood is not told: ${err}")
+endif()
+expect_contains("${err}" " cables, ")
+if(NOT err MATCHES "\n  [a-z][^\n]*; [0-9.]+ s\n")
+  message(SEND_ERROR "no progress in: ${err}")
+endif()
+string(ASCII 27 escape)
+if(err MATCHES "${escape}")
+  message(SEND_ERROR "no log line: ${err}")
+endif()
+
+list(JOIN design " " words)
+execute_process(COMMAND ${CMAKE_COMMAND} -E env TERM=xterm
+    ${SCRIPT} -qec "stty cols 60 && '${TENCER}' ${words} -o terminal" typescript
+  WORKING_DIRECTORY ${WORK} OUTPUT_VARIABLE out RESULT_VARIABLE status INPUT_FILE /dev/null)
+if(NOT status MATCHES "^[03]$")
+  message(SEND_ERROR "exit code ${status}: ${out}")
+endif()
+string(REPLACE "${escape}[K" "@" out "${out}")  # brackets would hold a list together
+string(REGEX MATCHALL "\r@[^\r\n@]*\r@" lines "${out}")
+list(LENGTH lines count)
+if(count LESS 3)
+  message(SEND_ERROR "rewritten too seldom: ${out}")
+endif()
+foreach(line IN LISTS lines)
+  string(LENGTH "${line}" length)
+  if(length GREATER 63)
+    message(SEND_ERROR "wider than the terminal: ${line}")
+  endif()
+endforeach()
