@@ -87,7 +87,7 @@ def test_what_is_to_be_known_is_said(trefoil, caplog):
     caplog.set_level("INFO", logger="tencer")
     with pytest.warns(UserWarning, match="strain"):
         tencer.design(trefoil, **QUICK, section={"radius": 1.0}, time=0.1)
-    assert "1 closed rod" in caplog.text
+    assert "3-fold rotation" in caplog.text
 
 
 def test_the_interpreter_is_free_meanwhile(trefoil):

@@ -61,7 +61,7 @@ endfunction()
 function(run_faulty folder)
   execute_process(
     COMMAND ${CMAKE_COMMAND} -E env LD_PRELOAD=${FAULT} ASAN_OPTIONS=verify_asan_link_order=0
-      TENCER_FAULT=${kind} TENCER_FAULT_AT=${at} ${TENCER} design new.xyz -o ${folder} --quiet
+      TENCER_FAULT=${kind} TENCER_FAULT_AT=${at} ${TENCER} design new.xyz -o ${folder} --force --quiet
     WORKING_DIRECTORY ${WORK} RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
   return(PROPAGATE status out err)
 endfunction()

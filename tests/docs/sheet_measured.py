@@ -101,7 +101,7 @@ class Bench:
         said = self.run("simulate", "built.json", "--from", "target")
         if "converged to a stable equilibrium" not in said:
             return math.inf
-        return float(re.search(r"max error ([\d.]+) %", said)[1])
+        return float(re.search(r"max error [^(]*\(([\d.]+) %", said)[1])
 
 
 def main():

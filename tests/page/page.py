@@ -6,6 +6,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import time
 import unittest
 
 import designs
@@ -184,7 +185,11 @@ class Page(unittest.TestCase):
         self.browser.swipe(200, 400, 0, -150)
         self.assertGreater(self.browser.run(scrolled), before[0])
         self.assertEqual(self.browser.run(axis), before[1])
-        before = self.browser.run(scrolled), self.browser.run(axis)
+        # A swipe goes on for a while after the finger has left.
+        still = None
+        while still != (still := self.browser.run(scrolled)):
+            time.sleep(0.3)
+        before = still, self.browser.run(axis)
         self.browser.swipe(100, 200, 120, 0)
         self.assertEqual(self.browser.run(scrolled), before[0])
         self.assertNotEqual(self.browser.run(axis), before[1])

@@ -1,4 +1,3 @@
-#include <limits>
 #include <tencer/network/stage_recorder.hpp>
 #include <tencer/sensitivity/distance.hpp>
 #include <utility>
@@ -18,9 +17,7 @@ std::string remark_on(const StageResult& result) {
 }  // namespace
 
 StageRecorder::StageRecorder(std::string stage, const Control& control)
-    : stage_(std::move(stage)), control_(control) {
-  report(0, std::numeric_limits<double>::quiet_NaN());
-}
+    : stage_(std::move(stage)), control_(control) {}
 
 double StageRecorder::seconds() const { return seconds_since(begin_); }
 

@@ -27,9 +27,9 @@ std::string coordinates(const Eigen::Vector3d& point, std::string_view between) 
 
 // A row a vertex and a blank line between curves; closed ones repeat their first point.
 std::string table_text(Curves curves, std::string_view unit, std::string_view between) {
-  std::string text = between == " " ? "# unit: " + std::string(unit) : "";
+  std::string text = between == "," ? "" : "# unit: " + std::string(unit);
   for (const char* axis : {"x", "y", "z"})
-    if (between != " ")
+    if (between == ",")
       text.append(text.empty() ? "" : between).append(axis).append(" (").append(unit).append(")");
   text += '\n';
   for (const geometry::Polyline& curve : curves) {
