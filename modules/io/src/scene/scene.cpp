@@ -221,7 +221,7 @@ void read_external(const TomlTable& design, Scene& scene) {
                 "frame = {shape = \"cube\"}");
 }
 
-void read_design(const TomlTable& design, Scene& scene) {
+void read_design_settings(const TomlTable& design, Scene& scene) {
   design.only(design_keys);
   model::DesignSettings& settings = scene.design;
   const auto positive = [&](std::string_view key, double& value) {
@@ -338,7 +338,7 @@ void read_task(const TomlTable& root, const SceneSource& source, Scene& scene) {
   for (const TomlTable& pin : root.tables("pinned")) structure.pins.push_back(read_pin(pin, scene));
   for (const TomlTable& load : root.tables("loads"))
     structure.point_loads.push_back(read_load(load, scene));
-  if (const auto design = root.table("design")) read_design(*design, scene);
+  if (const auto design = root.table("design")) read_design_settings(*design, scene);
   if (const auto build = root.table("build")) read_build(*build, scene.build);
   if (const auto edit = root.table("edit"))
     scene.edit = read_edit(*edit, source.rods.folder, source.designs);
