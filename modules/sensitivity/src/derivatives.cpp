@@ -1,20 +1,12 @@
 #include <tencer/core/error.hpp>
 #include <tencer/sensitivity/derivatives.hpp>
 
+#include "rigid_free_solve.hpp"
+
 namespace tencer::sensitivity {
-namespace {
-
-// H^+ b. Rounding leaves b a rigid part even where it has none in exact arithmetic.
-Eigen::MatrixXd solve(const Configuration& at, Eigen::MatrixXd b) {
-  for (Eigen::Index k = 0; k < b.cols(); ++k)
-    equilibrium::remove_rigid(at.linearisation.rigid, b.col(k));
-  return at.linearisation.solve(b);
-}
-
-}  // namespace
 
 Eigen::VectorXd adjoint(const Configuration& at, const Distance& distance) {
-  return solve(at, -distance.gradient());
+  return rigid_free_solve(at, -distance.gradient());
 }
 
 Eigen::VectorXd gradient(const Configuration& at, std::span<const springs::Parameter> parameters,
@@ -24,7 +16,7 @@ Eigen::VectorXd gradient(const Configuration& at, std::span<const springs::Param
 
 Eigen::MatrixXd state_derivatives(const Configuration& at,
                                   std::span<const springs::Parameter> parameters) {
-  return solve(at, -Eigen::MatrixXd(force_derivatives(at.system, at.state, parameters)));
+  return rigid_free_solve(at, -Eigen::MatrixXd(force_derivatives(at.system, at.state, parameters)));
 }
 
 Eigen::MatrixXd state_derivatives(const Configuration& at,
@@ -33,7 +25,7 @@ Eigen::MatrixXd state_derivatives(const Configuration& at,
   core::require(ties.rows() == static_cast<Eigen::Index>(parameters.size()),
                 "state_derivatives: needs a row of ties for every parameter");
   const ParameterJacobian rates = force_derivatives(at.system, at.state, parameters) * ties;
-  return solve(at, -Eigen::MatrixXd(rates));
+  return rigid_free_solve(at, -Eigen::MatrixXd(rates));
 }
 
 LeastSquares least_squares(const Distance& distance, const Eigen::MatrixXd& state_derivatives) {
@@ -54,11 +46,11 @@ Eigen::VectorXd hessian_times(const Configuration& at,
                 "hessian_times: needs a rate for every parameter");
   const ParameterJacobian rates = force_derivatives(at.system, at.state, parameters);
   const ForceCurvature curvature = force_curvature(at.system, at.state, parameters, adjoint);
-  const Eigen::VectorXd motion = solve(at, -(rates * q));
+  const Eigen::VectorXd motion = rigid_free_solve(at, -(rates * q));
   const Eigen::VectorXd change = distance.hessian_times(motion) +
                                  third_derivative_times(at.system, at.state, adjoint, motion) +
                                  curvature.mixed * q;
-  const Eigen::VectorXd adjoint_rate = solve(at, -change);
+  const Eigen::VectorXd adjoint_rate = rigid_free_solve(at, -change);
   return rates.transpose() * adjoint_rate + curvature.mixed.transpose() * motion +
          curvature.parameters * q;
 }

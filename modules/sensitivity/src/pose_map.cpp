@@ -2,14 +2,10 @@
 #include <tencer/sensitivity/parameters.hpp>
 #include <tencer/sensitivity/pose_map.hpp>
 
+#include "rigid_free_solve.hpp"
+
 namespace tencer::sensitivity {
 namespace {
-
-// H^+ b.
-Eigen::VectorXd without_rigid_motion(const Configuration& at, Eigen::VectorXd b) {
-  equilibrium::remove_rigid(at.linearisation.rigid, b);
-  return at.linearisation.solve(b);
-}
 
 // Calls visit(rod, vertex, axis, unknown) for all positions that are free.
 template <class Visit>
@@ -34,8 +30,7 @@ Eigen::VectorXd pull_back(const Configuration& at, std::span<const springs::Para
   for_each_position(at.system, [&](int rod, int vertex, int axis, int unknown) {
     force[unknown] = -gradient[rod](axis, vertex);
   });
-  return force_derivatives_transposed(at.system, at.state, parameters,
-                                      without_rigid_motion(at, force));
+  return force_derivatives_transposed(at.system, at.state, parameters, rigid_free_solve(at, force));
 }
 
 std::vector<Eigen::Matrix3Xd> push_forward(const Configuration& at,
@@ -44,7 +39,7 @@ std::vector<Eigen::Matrix3Xd> push_forward(const Configuration& at,
   core::require(change.size() == static_cast<Eigen::Index>(parameters.size()),
                 "push_forward: needs a change for every parameter");
   const Eigen::VectorXd motion =
-      without_rigid_motion(at, -(force_derivatives(at.system, at.state, parameters) * change));
+      rigid_free_solve(at, -(force_derivatives(at.system, at.state, parameters) * change));
   std::vector<Eigen::Matrix3Xd> motions;
   for (const der::RodState& rod : at.state)
     motions.push_back(Eigen::Matrix3Xd::Zero(3, rod.x.cols()));
