@@ -7,8 +7,8 @@
 #include <cmath>
 #include <tencer/core/error.hpp>
 #include <tencer/core/words.hpp>
-#include <tencer/geometry/arc_length.hpp>
 #include <tencer/geometry/measure.hpp>
+#include <tencer/model/cable_lines.hpp>
 #include <vector>
 
 #include "axes.hpp"
@@ -102,17 +102,6 @@ struct Piece {
   double depth() const { return (a.z() + b.z()) / 2; }
 };
 
-Vector3d end_point(const model::Design& design, const springs::End& end) {
-  if (const auto* anchor = std::get_if<springs::AtAnchor>(&end))
-    return design.structure.anchors.col(anchor->anchor);
-  const auto& on = std::get<springs::OnRod>(end);
-  const der::Rod& rod = design.structure.rods[on.rod];
-  const Eigen::Matrix3Xd& pose = design.pose[on.rod];
-  // s = length on a closed rod is the seam, which wraps to the start.
-  const auto at = geometry::ArcLength(rod.rest_lengths, rod.closed).locate(on.s);
-  return (1 - at.t) * pose.col(at.edge) + at.t * pose.col((at.edge + 1) % pose.cols());
-}
-
 void add_rod(const geometry::Polyline& curve, int rod, const View& view,
              std::vector<Piece>& pieces) {
   for (int i = 0; i < curve.edges(); ++i)
@@ -125,9 +114,9 @@ std::vector<Piece> pieces_of(const model::Design& design, const View& view) {
   std::vector<Piece> pieces;
   for (std::size_t r = 0; r < structure.rods.size(); ++r)
     add_rod(model::pose_curve(design, r), static_cast<int>(r), view, pieces);
-  for (const springs::Cable& cable : structure.cables) {
-    const Vector3d a = end_point(design, cable.a);
-    const Vector3d b = end_point(design, cable.b);
+  for (const geometry::Polyline& line : model::cable_lines(design)) {
+    const Vector3d a = line.points.col(0);
+    const Vector3d b = line.points.col(1);
     const auto at = [&](int i) { return view(a + (b - a) * i / cable_pieces); };
     for (int i = 0; i < cable_pieces; ++i) pieces.push_back({at(i), at(i + 1)});
   }

@@ -1,33 +1,27 @@
 #include "fabricate/solid.hpp"
 
-#include <tencer/geometry/sampling.hpp>
+#include <tencer/model/cable_lines.hpp>
 #include <tencer/model/units.hpp>
+#include <utility>
 
 namespace tencer::app {
 
 Solid solid_of(const model::Design& design) {
   const model::Structure& structure = design.structure;
   const double mm = 1000 * model::metres(design.length_unit);
-  const auto along = model::arc_lengths(structure);
   Solid solid{.rods = static_cast<int>(structure.rods.size()), .anchors = structure.anchors * mm};
   for (std::size_t r = 0; r < structure.rods.size(); ++r) {
     solid.curves.push_back(model::pose_curve(design, r));
     solid.curves.back().points *= mm;
   }
+  for (geometry::Polyline& line : model::cable_lines(design)) {
+    line.points *= mm;
+    solid.curves.push_back(std::move(line));
+  }
   for (const springs::Cable& cable : structure.cables) {
-    geometry::Polyline line{Eigen::Matrix3Xd(3, 2), false};
-    std::vector<int> on_rods;
-    for (const int end : {0, 1}) {
-      const springs::End& at = end == 0 ? cable.a : cable.b;
-      if (const auto* on = std::get_if<springs::OnRod>(&at)) {
-        line.points.col(end) = geometry::point_at(solid.curves[on->rod], along[on->rod], on->s);
-        on_rods.push_back(on->rod);
-      } else {
-        line.points.col(end) = solid.anchors.col(std::get<springs::AtAnchor>(at).anchor);
-      }
-    }
-    solid.curves.push_back(line);
-    solid.ends_on.push_back(on_rods);
+    std::vector<int>& on_rods = solid.ends_on.emplace_back();
+    for (const springs::End& end : {cable.a, cable.b})
+      if (const auto* on = std::get_if<springs::OnRod>(&end)) on_rods.push_back(on->rod);
   }
   return solid;
 }
