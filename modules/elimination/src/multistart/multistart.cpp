@@ -154,7 +154,6 @@ void Multistart::look_for_footing(std::vector<Solution>& found) const {
 ParetoArchive Multistart::fit_answers(const std::vector<Network>& path) {
   const model::Goal& goal = options_.goal;
   ParetoArchive archive;
-  if (path.empty()) return archive;
   // Where time was short the first, with the most cables, may be all that holds.
   if (control_.stop.stop_requested()) add_fitted(path.front(), archive);
   if (goal.by_number() && !goal.every_number) {
