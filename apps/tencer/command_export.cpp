@@ -1,7 +1,6 @@
 // tencer export DESIGN -o FILE: a design for other programs.
 #include "command_export.hpp"
 
-#include <iostream>
 #include <memory>
 #include <tencer/io/design.hpp>
 #include <tencer/io/export.hpp>
@@ -24,7 +23,7 @@ struct ExportRequest {
   std::vector<std::filesystem::path> outputs;
 };
 
-core::Expected<ExitCode> run_export(const ExportRequest& request) {
+core::Expected<ExitCode> run_export(const ExportRequest& request, const Console& console) {
   for (const auto& output : request.outputs)
     if (!io::export_format(output))
       return core::Error{output.string(),
@@ -35,7 +34,8 @@ core::Expected<ExitCode> run_export(const ExportRequest& request) {
   for (const auto& output : request.outputs) {
     const io::ExportFormat format = *io::export_format(output);
     if (const auto error = io::write_file(output, io::export_text(*design, format))) return *error;
-    std::cout << output.string() << ": lengths in " << io::export_unit(*design, format) << '\n';
+    console.say(output.string() + ": lengths in " + std::string(io::export_unit(*design, format)) +
+                '\n');
   }
   return ExitCode::ok;
 }
@@ -55,7 +55,7 @@ void add_export(CLI::App& app, Command& chosen) {
       ->required()
       ->allow_extra_args(false);
   command->callback([&chosen, request] {
-    chosen = [request](const core::Log&) { return run_export(*request); };
+    chosen = [request](const Console& console) { return run_export(*request, console); };
   });
 }
 

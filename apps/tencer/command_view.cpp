@@ -49,7 +49,7 @@ std::filesystem::path page_of(const ViewRequest& request) {
   return request.inputs[0].parent_path() / "view.html";
 }
 
-core::Expected<ExitCode> run_view(const ViewRequest& request) {
+core::Expected<ExitCode> run_view(const ViewRequest& request, const Console& console) {
   std::deque<model::Design> designs;  // stay where they are
   std::vector<PageDesign> shown;
   for (const auto& input : request.inputs) {
@@ -68,7 +68,7 @@ core::Expected<ExitCode> run_view(const ViewRequest& request) {
   }
   const std::filesystem::path page = page_of(request);
   if (auto error = io::write_file(page, view_page(shown))) return *error;
-  std::cout << "see " << page.string() << '\n';
+  console.say("see " + page.string() + '\n');
   if (request.open)
     if (auto error = open_in_browser(page)) {
       std::cerr << "tencer: " << error->text() << '\n';
@@ -88,8 +88,9 @@ void add_view(CLI::App& app, Command& chosen) {
   command->add_option("-o,--output", request->output,
                       "The page [view.html beside the design; of several, designs.html here]");
   command->add_flag("--open", request->open, "Open it in the browser");
-  command->callback(
-      [&chosen, request] { chosen = [request](const core::Log&) { return run_view(*request); }; });
+  command->callback([&chosen, request] {
+    chosen = [request](const Console& console) { return run_view(*request, console); };
+  });
 }
 
 }  // namespace tencer::app

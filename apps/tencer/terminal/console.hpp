@@ -15,7 +15,6 @@ class Console {
   explicit Console(core::Level least);
 
   const core::Log& log() const { return log_; }
-  operator const core::Log&() const { return log_; }  // a Console is a place for a log
 
   // Words about a result, on stdout; not when quiet. What is asked for as data (--json) is no
   // words.
