@@ -21,11 +21,12 @@ struct SceneOptions {
   std::optional<std::string> force_unit{};  // of bare files, N by default
 };
 
-// Keys of docs/scene.md that a program says, in place of a file's or without one:
-//   max_error = 0.5               # the keys of [design] and [[rod]] beside those of the top level,
-//   section = {radius = 0.1}      # as no two have the same name; those of [[rod]] are of every
-//   rod, rod = [{curve = 0}]           # but for those that a table of `rod` says itself build =
-//   {length_error = 0}
+// Keys of docs/scene.md that a program says, in place of a file's or without one. The keys of
+// [design] and [[rod]] stand beside those of the top level (`max_error = 0.5`,
+// `section = {radius = 0.1}`), as no two have the same name; those of [[rod]] are of every rod, but
+// for what a table of `rod` (`rod = [{curve = 0}]`) says itself. [build] and [edit] are tables
+// (`build = {length_error = 0}`).
+//
 // What is said of curves and designs in memory is their number in place of a file's name: `curve`
 // and `edit.from` count from 0. Paths are relative to the file's folder.
 struct SceneKeys {
