@@ -68,6 +68,7 @@ void add_design(CLI::App& app, Command& chosen);
 void add_fabricate(CLI::App& app, Command& chosen);
 void add_feasible(CLI::App& app, Command& chosen);
 void add_manual(CLI::App& app, Command& chosen);
+void add_picture(CLI::App& app, Command& chosen);
 void add_simulate(CLI::App& app, Command& chosen);
 void add_stress(CLI::App& app, Command& chosen);
 void add_study(CLI::App& app, Command& chosen);

@@ -27,6 +27,8 @@ constexpr const char* examples = R"(Examples:
   tencer design curve.obj --time 2           the best design that two seconds of search find
   tencer design curve.obj --from result/design.json --remove 1
                                              that design with a cable less, in no time
+  tencer design curve.obj --picture curve.pdf
+                                             also a picture of it, for print
   tencer design curve.obj --json | jq .error for programs
 
 INPUT is a scene (.toml, see docs/scene.md), a curve (.obj, .csv, .json, .svg, .dxf and others, see
@@ -80,6 +82,7 @@ core::Expected<ExitCode> run_design(const DesignRequest& request, const Console&
   const std::filesystem::path folder = request.folder();
   if (const auto error = result_problem(folder, scene->name, request.force)) return *error;
   if (const auto error = pipeline::scene_problem(*scene)) return *error;
+  if (const auto error = pictures_problem(request)) return *error;
   const Interrupt interrupt;
   introduce(*scene, console);
   if (request.dry_run) return dry_run(*scene, folder, console);
@@ -100,6 +103,7 @@ core::Expected<ExitCode> run_design(const DesignRequest& request, const Console&
                    .log = console.log(),
                    .feasible_first = false});
   if (!found) return found.error();
+  if (const auto error = write_pictures(request.pictures, found->asked)) return *error;
 
   activity.end();
   if (request.json)

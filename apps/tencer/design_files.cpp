@@ -16,7 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include "picture.hpp"
+#include "drawing/motion_picture.hpp"
+#include "drawing/picture.hpp"
 #include "view_page.hpp"
 
 namespace tencer::app {
@@ -30,7 +31,8 @@ std::vector<io::NamedText> files_of(const model::Design& design, std::string pag
     poses.push_back(model::pose_curve(design, r));
   return {{"design.json", io::design_text(design)}, {"trace.csv", io::trace_text(design.trace)},
           {"pose.obj", io::obj_text(poses)},        {"report.txt", model::findings(design)},
-          {"view.html", std::move(page)},           {"picture.svg", picture_svg(design)}};
+          {"view.html", std::move(page)},
+          {"picture.svg", picture(design, PictureFormat::svg)}};
 }
 
 // All designs on one page, which opens with the one asked for.
@@ -166,6 +168,13 @@ std::optional<core::Error> write_design_files(const std::filesystem::path& folde
   return remove_stale(folder, files);
 }
 
+std::optional<core::Error> write_pictures(std::span<const std::filesystem::path> pictures,
+                                          const model::Design& design) {
+  for (const auto& path : pictures)
+    if (auto error = io::write_file(path, picture(design, *picture_format(path)))) return error;
+  return std::nullopt;
+}
+
 std::optional<core::Error> write_trade_off(const std::filesystem::path& folder,
                                            std::span<const model::Design> designs,
                                            const model::Design& asked) {
@@ -192,7 +201,7 @@ std::optional<core::Error> write_feasibility_files(const std::filesystem::path& 
                                                    const model::Feasibility& feasibility) {
   return io::write_files(
       folder, std::vector<io::NamedText>{{"feasible.json", io::feasibility_text(feasibility)},
-                                         {"picture.svg", picture_svg(feasibility)}});
+                                         {"picture.svg", motion_picture(feasibility)}});
 }
 
 std::string trade_off_table(std::span<const model::Design> designs) {

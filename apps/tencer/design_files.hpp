@@ -22,6 +22,11 @@ std::optional<core::Error> result_problem(const std::filesystem::path& folder,
 std::optional<core::Error> write_design_files(const std::filesystem::path& folder,
                                               const model::Design& design);
 
+// Pictures of the design, each of the format of its ending (drawing/picture.hpp), which is one of
+// those that there are.
+std::optional<core::Error> write_pictures(std::span<const std::filesystem::path> pictures,
+                                          const model::Design& design);
+
 // In `folder` the files of the design asked for, with all designs in view.html, and trade-off.csv,
 // one line a design; and in a folder cables-N for each number N of cables the files of that design.
 // The folders of designs come first, each all or nothing; on an Error those that are new are

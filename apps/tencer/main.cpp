@@ -18,6 +18,7 @@ constexpr const char* examples = R"(Examples:
   tencer simulate knot/design.json                   let the design settle
   tencer check knot/design.json                      find out whether it can be built
   tencer view knot/design.json --open                look at it in the browser
+  tencer picture knot/design.json -o knot.pdf        draw it for a paper
   tencer fabricate knot/design.json                  print what is needed to build it
   tencer export knot/design.json -o knot.glb         take it to other programs
 
@@ -50,6 +51,7 @@ int run(int argc, char** argv) {
   add_simulate(app, chosen);
   add_check(app, chosen);
   add_view(app, chosen);
+  add_picture(app, chosen);
   add_fabricate(app, chosen);
   add_export(app, chosen);
   add_target(app, chosen);

@@ -5,7 +5,7 @@
 #include <tencer/core/error.hpp>
 #include <utility>
 
-#include "picture.hpp"
+#include "drawing/picture.hpp"
 #include "view_template.hpp"
 
 namespace tencer::app {

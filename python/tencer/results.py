@@ -92,7 +92,7 @@ def _marks(design):
 
 def _export(design, path):
     """Writes what the ending says: the design (.json), its page (.html), or a file for other programs
-    (.obj, .vtp, .gltf, .glb, .dxf, .csv).
+    (.obj, .vtp, .gltf, .glb, .dxf, .csv), or a picture (.svg, .pdf, .png).
     """
     path = os.fspath(path)
     ending = os.path.splitext(path)[1].lower()
@@ -100,9 +100,22 @@ def _export(design, path):
         content = design.to_json()
     elif ending == ".html":
         content = design.page()
+    elif ending in (".svg", ".pdf", ".png"):
+        return design.picture(path)
     else:
         content = design.export_bytes(path)
     _core.write_file(path, content)
+
+
+def _picture(design, path, *, views=(), caption="", numbers=True):
+    """Draws the design into a file, .svg, .pdf or .png, as `tencer picture` does. views: of "oblique",
+    "front", "side" and "top"; numbers: whether rods and cables have their names.
+    """
+    if not hasattr(_core, "picture_bytes"):
+        raise RuntimeError("this build has no pictures: it was made without the program (TENCER_APPS)")
+    views = [views] if isinstance(views, str) else list(views)
+    content = _core.picture_bytes(design, os.fspath(path), views, caption, numbers)
+    _core.write_file(os.fspath(path), content)
 
 
 def _page(design):
@@ -159,5 +172,6 @@ _core.Design.simulate = _simulate
 _core.Design.export = _export
 _core.Design.plot = _plot
 _core.Design.page = _page
+_core.Design.picture = _picture
 _core.Design.show = _show
 _core.Design._repr_html_ = _repr_html

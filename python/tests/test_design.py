@@ -192,6 +192,20 @@ with_page = pytest.mark.skipif(
 
 
 @with_page
+def test_pictures(design, tmp_path):
+    for ending, start in {"svg": b"<?xml", "pdf": b"%PDF", "png": b"\x89PNG"}.items():
+        design.export(tmp_path / f"knot.{ending}")
+        assert (tmp_path / f"knot.{ending}").read_bytes().startswith(start)
+    design.picture(tmp_path / "views.svg", views=["front", "top"], caption="A knot")
+    assert (tmp_path / "views.svg").read_bytes() != (tmp_path / "knot.svg").read_bytes()
+    with pytest.raises(ValueError, match="use front, side, top"):
+        design.picture(tmp_path / "none.svg", views="frnt")
+    with pytest.raises(ValueError, match="let the name end with"):
+        design.picture(tmp_path / "none.jpg")
+    assert not (tmp_path / "none.svg").exists()
+
+
+@with_page
 def test_the_page_in_the_notebook(design, tmp_path):
     design.export(tmp_path / "knot.html")
     page = (tmp_path / "knot.html").read_text()

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "fabricate/drawing.hpp"
+#include "drawing/drawing.hpp"
 
 using namespace tencer::app;
 

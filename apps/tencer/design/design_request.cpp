@@ -5,6 +5,7 @@
 #include <tencer/pipeline/backends.hpp>
 
 #include "command.hpp"
+#include "drawing/picture.hpp"
 
 namespace tencer::app {
 namespace {
@@ -134,12 +135,28 @@ void add_design_options(CLI::App& command, const std::shared_ptr<DesignRequest>&
   add_search(command, *request);
   add_edit(command, request->edit);
   add_errors(command, request);
+  command
+      .add_option("--picture", request->pictures,
+                  "Also draw it into this file, .svg, .pdf or .png; may be given several times")
+      ->allow_extra_args(false);
   command.add_flag("--json", request->json,
                    "Write the result as JSON instead of words, without the rods' points");
   command
       .add_flag("--dry-run", request->dry_run,
                 "Only say what was understood, what this scene needs, and what is left out and why")
       ->excludes("--json");
+}
+
+std::optional<core::Error> pictures_problem(const DesignRequest& request) {
+  std::error_code ignored;
+  for (const std::filesystem::path& picture : request.pictures) {
+    if (auto error = picture_problem(picture)) return error;
+    const std::filesystem::path folder = std::filesystem::absolute(picture).parent_path();
+    if (!std::filesystem::is_directory(folder, ignored) &&
+        folder != std::filesystem::absolute(request.folder() / "x").parent_path())
+      return core::Error{picture.string(), "there is no folder " + folder.string()};
+  }
+  return std::nullopt;
 }
 
 core::Expected<model::Scene> requested_scene(const DesignRequest& request) {

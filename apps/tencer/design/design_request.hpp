@@ -8,6 +8,7 @@
 #include <tencer/core/error.hpp>
 #include <tencer/model/allowance.hpp>
 #include <tencer/model/scene.hpp>
+#include <vector>
 
 #include "edit_input.hpp"
 #include "scene_input.hpp"
@@ -26,6 +27,7 @@ struct DesignRequest {
   std::optional<double> time;
   std::optional<int> effort;
   EditRequest edit;
+  std::vector<std::filesystem::path> pictures;  // beside the one in the folder
   std::optional<double> length_error_mm;
   std::optional<double> attachment_error_mm;
   std::optional<model::Allowance> max_deviation;
@@ -40,6 +42,9 @@ struct DesignRequest {
 
 // An option for each.
 void add_design_options(CLI::App& command, const std::shared_ptr<DesignRequest>& request);
+
+// Why a picture that is asked for cannot be written, known before the work is done.
+std::optional<core::Error> pictures_problem(const DesignRequest& request);
 
 // The scene with what the command line says in place of it.
 core::Expected<model::Scene> requested_scene(const DesignRequest& request);

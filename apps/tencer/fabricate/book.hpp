@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fabricate/canvas.hpp"
+#include "drawing/canvas.hpp"
 
 namespace tencer::app {
 

@@ -2,8 +2,8 @@
 #include <tencer/core/names.hpp>
 #include <tencer/fabricate/names.hpp>
 
-#include "axes.hpp"
-#include "fabricate/drawing.hpp"
+#include "drawing/axes.hpp"
+#include "drawing/drawing.hpp"
 #include "fabricate/sheet.hpp"
 #include "fabricate/words.hpp"
 
@@ -105,7 +105,9 @@ void add_order(Book& book, const Sheet& sheet) {
   const Tile tile{(book.width() - 2 * gap) / 3, 56};
   Look look{.rod_width = 0.55,
             .cable_width = 0.2,
-            .words = false,
+            .starts = false,
+            .rod_names = false,
+            .anchor_names = false,
             .plain = true,
             .tied = std::vector<bool>(sheet.order.size(), false)};
   double y = book.y();

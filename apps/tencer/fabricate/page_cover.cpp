@@ -7,7 +7,7 @@
 #include <tencer/model/units.hpp>
 #include <tencer/model/words.hpp>
 
-#include "axes.hpp"
+#include "drawing/axes.hpp"
 #include "fabricate/sheet.hpp"
 #include "fabricate/three_views.hpp"
 #include "fabricate/words.hpp"

@@ -54,7 +54,7 @@ void add_pins(Book& book, const Sheet& sheet) {
       if (pin.axes[axis]) axes += (axes.empty() ? "" : ", ") + std::string(1, "xyz"[axis]);
     rows.push_back(
         with_place({rod_name(pin.rod), tenths(along[pin.rod].knots()[pin.vertex] * mm), axes},
-                   sheet.solid.curves[pin.rod].points.col(pin.vertex)));
+                   sheet.design.pose[pin.rod].col(pin.vertex) * mm));
   }
   book.table({{"rod", Align::left, true},
               {"s mm"},

@@ -10,8 +10,8 @@
 #include <tencer/io/file.hpp>
 #include <vector>
 
+#include "drawing/solid.hpp"
 #include "fabricate/book.hpp"
-#include "fabricate/solid.hpp"
 
 namespace tencer::app {
 

@@ -119,10 +119,9 @@ void draw_check(Canvas& canvas, double x, double y) {
 std::string strip_svg(const fabricate::CutList& list, int rod) {
   constexpr double margin = 10;
   const RodCut& cut = list.rods[rod];
-  return svg_drawing(cut.cut + 2 * margin, height + 2 * margin, [&](Canvas& canvas) {
-    canvas.text(margin, margin - 3,
-                "rod " + core::rod_name(rod) + ", " + tenths(cut.length) + " mm, 1 : 1",
-                {3, false, soft_ink});
+  const std::string title = "rod " + core::rod_name(rod) + ", " + tenths(cut.length) + " mm, 1 : 1";
+  return svg_drawing(cut.cut + 2 * margin, height + 2 * margin, title, [&](Canvas& canvas) {
+    canvas.text(margin, margin - 3, title, {3, false, soft_ink});
     draw_strip(canvas, {0, cut.cut, margin, margin}, cut, places_of(cut));
   });
 }

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "drawing/axes.hpp"
+
 namespace tencer::app {
 namespace {
 
@@ -26,13 +28,7 @@ void draw_view(Book& book, const Seen& seen, double scale, const Look& look,
 void draw_three_views(Book& book, const Solid& solid, const Eigen::Matrix3d& axes, const Look& look,
                       double height, const std::array<std::string, 3>& captions) {
   constexpr double flat = 1e-3;
-  Eigen::Matrix3d above = axes;
-  above.row(1) = -axes.row(2);
-  above.row(2) = axes.row(1);
-  Eigen::Matrix3d right = axes;
-  right.row(0) = -axes.row(2);
-  right.row(2) = axes.row(0);
-  std::vector<Seen> views{{solid, axes}, {solid, above}, {solid, right}};
+  std::vector<Seen> views{{solid, axes}, {solid, from_above(axes)}, {solid, from_right(axes)}};
   const Vector2d front = views[0].box().sizes();
   if (views[1].box().sizes().y() < flat * front.maxCoeff())
     while (views.size() > 1) views.pop_back();

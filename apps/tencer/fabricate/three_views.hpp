@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "drawing/drawing.hpp"
 #include "fabricate/book.hpp"
-#include "fabricate/drawing.hpp"
 
 namespace tencer::app {
 

@@ -14,7 +14,7 @@
 #include <tencer/pipeline/vibrations.hpp>
 #include <vector>
 
-#include "axes.hpp"
+#include "drawing/axes.hpp"
 
 namespace tencer::app {
 namespace {

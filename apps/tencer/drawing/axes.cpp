@@ -1,4 +1,4 @@
-#include "axes.hpp"
+#include "drawing/axes.hpp"
 
 #include <Eigen/Dense>
 
@@ -20,6 +20,20 @@ Matrix3d principal_axes(const Eigen::Matrix3Xd& points) {
   }
   rows.row(2) = rows.row(0).cross(rows.row(1));
   return rows;
+}
+
+Matrix3d from_above(const Matrix3d& axes) {
+  Matrix3d above = axes;
+  above.row(1) = -axes.row(2);
+  above.row(2) = axes.row(1);
+  return above;
+}
+
+Matrix3d from_right(const Matrix3d& axes) {
+  Matrix3d right = axes;
+  right.row(0) = -axes.row(2);
+  right.row(2) = axes.row(0);
+  return right;
 }
 
 Matrix3d oblique_axes(const Eigen::Matrix3Xd& points) {

@@ -1,4 +1,4 @@
-#include "fabricate/drawing.hpp"
+#include "drawing/drawing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <tencer/core/names.hpp>
 #include <tencer/fabricate/names.hpp>
 
-#include "fabricate/labels.hpp"
+#include "drawing/labels.hpp"
 
 namespace tencer::app {
 namespace {
@@ -20,29 +20,21 @@ class Sketch {
  public:
   Sketch(Canvas& canvas, const Seen& seen, const Spot& spot, const Look& look)
       : canvas_(canvas), seen_(seen), spot_(spot), look_(look) {
-    for (const Path& line : seen.lines()) lines_.push_back(on_paper(line));
+    for (const Path& line : seen.lines()) lines_.push_back(on_paper(line, seen, spot));
   }
 
-  void draw() {
+  // Returns how many numbers found no place.
+  int draw() {
     find_strokes();
-    const int rods = seen_.solid().rods;
-    for (int r = 0; r < rods; ++r)
-      for (const Path& stroke : strokes_[r])
-        canvas_.path(stroke, {look_.plain ? plain_rod : rod_colour(r), look_.rod_width});
+    draw_rods();
     for (int c = 0; c < seen_.solid().cables(); ++c) draw_cable(c);
-    for (int r = 0; r < rods && look_.words; ++r) draw_start(r);
+    for (int r = 0; r < seen_.solid().rods && look_.starts; ++r) draw_start(r);
     draw_anchors();
     place_words();
+    return left_out_;
   }
 
  private:
-  Path on_paper(const Path& points) const {
-    const Vector2d centre = seen_.box().center();
-    Path paper(2, points.cols());
-    paper.row(0) = spot_.middle.x() + spot_.scale * (points.row(0).array() - centre.x());
-    paper.row(1) = spot_.middle.y() - spot_.scale * (points.row(1).array() - centre.y());
-    return paper;
-  }
   bool is_rod(int curve) const { return curve < seen_.solid().rods; }
   bool drawn(int cable) const { return look_.tied.empty() || look_.tied[cable]; }
   bool visible(int curve) const { return is_rod(curve) || drawn(curve - seen_.solid().rods); }
@@ -55,6 +47,10 @@ class Sketch {
   double along(const geometry::EdgePoint& at) const {
     const Eigen::VectorXd& lengths = lengths_[at.rod];
     return (1 - at.t) * lengths[at.edge] + at.t * lengths[at.edge + 1];
+  }
+
+  Spotted spotted(const geometry::EdgePoint& at) const {
+    return {lines_[at.rod], lengths_[at.rod], along(at)};
   }
 
   // A cable meets its own rods where it is tied.
@@ -71,8 +67,8 @@ class Sketch {
   }
 
   void find_strokes() {
-    const double clear = 0.42 * look_.rod_width;
-    constexpr double most = 4;  // times as long as at a right angle
+    const double below_rod = 0.42 * look_.rod_width;
+    const double below_cable = 0.2 * look_.rod_width;
     const auto& curves = seen_.solid().curves;
     for (std::size_t i = 0; i < lines_.size(); ++i)
       lengths_.push_back(lengths_along(lines_[i], curves[i].closed));
@@ -81,12 +77,63 @@ class Sketch {
       const bool under_thin_line = is_rod(c.under.rod) && !is_rod(c.over.rod);
       if (under_thin_line || !visible(c.over.rod) || plain_cable(c.under.rod) || is_tie(c))
         continue;
-      const double half = (width(c.over.rod) / 2 + clear) / std::max(std::abs(c.sine), 1 / most);
-      const double at = along(c.under);
-      gaps[c.under.rod].push_back({at - half, at + half});
+      const double clear = width(c.over.rod) / 2 + (is_rod(c.over.rod) ? below_rod : below_cable);
+      gaps[c.under.rod].push_back(
+          gap_under(spotted(c.over), spotted(c.under), clear, width(c.under.rod)));
     }
     for (std::size_t i = 0; i < lines_.size(); ++i)
-      strokes_.push_back(strokes(lines_[i], curves[i].closed, std::move(gaps[i])));
+      strokes_.push_back(strokes(lines_[i], curves[i].closed, std::move(gaps[i]), look_.rod_width));
+  }
+
+  // From the lowest to the highest, each with a little paper around it, which parts those that run
+  // side by side.
+  void draw_rods() {
+    struct Drawn {
+      int rod = 0;
+      const Stroke* stroke = nullptr;
+      double height = 0.0;
+    };
+    std::vector<Drawn> drawn;
+    for (int r = 0; r < seen_.solid().rods; ++r)
+      for (const Stroke& stroke : strokes_[r]) drawn.push_back({r, &stroke, height(r, stroke)});
+    std::ranges::stable_sort(drawn, {}, &Drawn::height);
+    for (const Drawn& one : drawn) {
+      draw_rod(*one.stroke, is_ring(one.rod, *one.stroke),
+               look_.plain ? plain_rod : rod_colour(one.rod));
+    }
+  }
+
+  bool is_ring(int rod, const Stroke& stroke) const {
+    return seen_.solid().curves[rod].closed && stroke.from == 0 &&
+           stroke.to == lengths_[rod].tail<1>()[0];
+  }
+
+  void draw_rod(const Stroke& stroke, bool ring, const Colour& colour) {
+    const double paper = 0.15 * look_.rod_width;  // on either side
+    if (ring) {
+      canvas_.border(stroke.line, {white, look_.rod_width + 2 * paper});
+      canvas_.border(stroke.line, {colour, look_.rod_width});
+    } else {
+      const Path shape = outline(stroke, look_.rod_width);
+      canvas_.border(shape, {white, 2 * paper});
+      canvas_.area(shape, colour);
+    }
+  }
+
+  // On average.
+  double height(int rod, const Stroke& stroke) const {
+    const Eigen::VectorXd& lengths = lengths_[rod];
+    const Eigen::VectorXd& heights = seen_.heights()[rod];
+    double sum = 0;
+    int count = 0;
+    const double whole = lengths[lengths.size() - 1];
+    for (Eigen::Index i = 0; i < heights.size(); ++i)
+      if ((lengths[i] >= stroke.from && lengths[i] <= stroke.to) ||
+          lengths[i] + whole <= stroke.to) {
+        sum += heights[i];
+        ++count;
+      }
+    return count > 0 ? sum / count : 0;
   }
 
   void draw_cable(int c) {
@@ -95,7 +142,7 @@ class Sketch {
     const Pen pen{is_new || !look_.plain ? accent : ink,
                   is_new ? 2.2 * look_.cable_width : look_.cable_width};
     const int curve = seen_.solid().rods + c;
-    for (const Path& stroke : strokes_[curve]) canvas_.path(stroke, pen);
+    for (const Stroke& stroke : strokes_[curve]) canvas_.path(stroke.line, pen);
     for (const Eigen::Index end : {0, 1})
       canvas_.disc(lines_[curve].col(end), look_.rod_width * (is_new ? 0.75 : 0.5), pen.colour);
   }
@@ -113,8 +160,8 @@ class Sketch {
         strokes(line, seen_.solid().curves[r].closed,
                 {{0, std::min(to_arrow, end / 3)}, {std::min(to_arrow + length, end / 2), end}});
     if (parts.empty()) return;
-    const Vector2d tail = parts[0].col(0);
-    const Vector2d tip = parts[0].rightCols(1);
+    const Vector2d tail = parts[0].line.col(0);
+    const Vector2d tip = parts[0].line.rightCols(1);
     const Vector2d across = 0.45 * Vector2d(tail.y() - tip.y(), tip.x() - tail.x());
     Path head(2, 3);
     head << tip, tail + across, tail - across;
@@ -124,7 +171,7 @@ class Sketch {
 
   void draw_anchors() {
     const double side = 2.2 * look_.rod_width;
-    const Path anchors = on_paper(seen_.anchors());
+    const Path anchors = on_paper(seen_.anchors(), seen_, spot_);
     for (const Vector2d at : anchors.colwise())
       canvas_.rectangle(at.x() - side / 2, at.y() - side / 2, side, side,
                         look_.plain ? plain_rod : soft_ink);
@@ -136,28 +183,35 @@ class Sketch {
     std::vector<Vector2d> points = busy_;
     for (std::size_t i = 0; i < strokes_.size(); ++i) {
       if (!visible(static_cast<int>(i)) || plain_cable(static_cast<int>(i))) continue;
-      for (const Path& stroke : strokes_[i])
-        for (Eigen::Index p = 0; p + 1 < stroke.cols(); ++p) {
-          const Vector2d edge = stroke.col(p + 1) - stroke.col(p);
+      for (const Stroke& stroke : strokes_[i])
+        for (Eigen::Index p = 0; p + 1 < stroke.line.cols(); ++p) {
+          const Vector2d start = stroke.line.col(p);
+          const Vector2d edge = stroke.line.col(p + 1) - start;
           const int pieces = 1 + static_cast<int>(edge.norm() / step);
-          for (int k = 0; k < pieces; ++k) points.emplace_back(stroke.col(p) + edge * k / pieces);
+          for (int k = 0; k < pieces; ++k) points.emplace_back(start + edge * k / pieces);
         }
     }
     return points;
   }
 
   void write(Labels& labels, const std::string& words, const Font& font,
-             const std::vector<Vector2d>& anchors, bool on) {
+             const std::vector<Vector2d>& anchors, Beside how) {
     constexpr double margin = 0.5;
     const Vector2d size(canvas_.width_of(words, font) + 2 * margin, font.size * 0.95);
-    const Vector2d middle = labels.place(anchors, size, on);
-    const auto nearest = std::ranges::min_element(
-        anchors, {}, [&](const Vector2d& anchor) { return (anchor - middle).norm(); });
-    const bool away =
-        !Eigen::AlignedBox2d(middle - 0.8 * size, middle + 0.8 * size).contains(*nearest);
-    if (away) canvas_.line(middle.x(), middle.y(), nearest->x(), nearest->y(), {font.colour, 0.1});
-    canvas_.rectangle(middle.x() - size.x() / 2, middle.y() - size.y() / 2, size.x(), size.y(),
-                      white);
+    const auto [middle, anchor, clear] = labels.place(anchors, size, how);
+    if (how == Beside::leader && !clear) {
+      ++left_out_;
+      return;
+    }
+    const Eigen::AlignedBox2d box(middle - size / 2, middle + size / 2);
+    const Eigen::AlignedBox2d around(middle - 0.8 * size, middle + 0.8 * size);
+    if (how == Beside::leader || !around.contains(anchor)) {
+      const Vector2d end = edge_towards(box, anchor);
+      canvas_.line(anchor.x(), anchor.y(), end.x(), end.y(), {font.colour, 0.1});
+      if (how == Beside::leader) canvas_.disc(anchor, 0.28, font.colour);
+    }
+    if (how != Beside::leader)
+      canvas_.rectangle(box.min().x(), box.min().y(), size.x(), size.y(), white);
     Font centred = font;
     centred.align = Align::centre;
     canvas_.text(middle.x(), middle.y() + 0.36 * font.size, words, centred);
@@ -165,14 +219,19 @@ class Sketch {
 
   void place_words() {
     Labels labels(spot_.bounds, busy_points());
-    for (int r = 0; r < seen_.solid().rods && look_.words; ++r)
-      write(labels, core::rod_name(r), {4.6, true, rod_colour(r)}, {lines_[r].col(0)}, false);
+    for (int r = 0; r < seen_.solid().rods && look_.rod_names; ++r)
+      write(labels, core::rod_name(r), {4.6, true, rod_colour(r)}, {lines_[r].col(0)},
+            Beside::near);
     for (int c = 0; c < seen_.solid().cables(); ++c)
-      if (drawn(c) && (!look_.plain || c == look_.new_cable)) number_cable(labels, c);
-    if (!look_.words) return;
-    const Path anchors = on_paper(seen_.anchors());
+      if (numbered(c)) number_cable(labels, c);
+    if (!look_.anchor_names) return;
+    const Path anchors = on_paper(seen_.anchors(), seen_, spot_);
     for (int a = 0; a < anchors.cols(); ++a)
-      write(labels, core::anchor_name(a), {2.5, false, soft_ink}, {anchors.col(a)}, false);
+      write(labels, core::anchor_name(a), {2.5, false, soft_ink}, {anchors.col(a)}, Beside::near);
+  }
+
+  bool numbered(int c) const {
+    return look_.numbers != Numbers::none && drawn(c) && (!look_.plain || c == look_.new_cable);
   }
 
   void number_cable(Labels& labels, int c) {
@@ -180,7 +239,8 @@ class Sketch {
     std::vector<Vector2d> anchors;
     for (const double t : {0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82})
       anchors.emplace_back((1 - t) * line.col(0) + t * line.col(1));
-    write(labels, core::cable_name(c), {2.7, true, accent}, anchors, true);
+    write(labels, core::cable_name(c), {2.7, true, accent}, anchors,
+          look_.numbers == Numbers::beside ? Beside::leader : Beside::on);
   }
 
   Canvas& canvas_;
@@ -189,8 +249,9 @@ class Sketch {
   const Look& look_;
   std::vector<Path> lines_;
   std::vector<Eigen::VectorXd> lengths_;
-  std::vector<std::vector<Path>> strokes_;
+  std::vector<std::vector<Stroke>> strokes_;
   std::vector<Vector2d> busy_;  // what words should not hide, beside lines
+  int left_out_ = 0;
 };
 
 // The least of some round numbers times a power of ten that is not less than the value.
@@ -213,14 +274,26 @@ Seen::Seen(const Solid& solid, const Eigen::Matrix3d& axes)
     : solid_(solid),
       anchors_((axes * solid.anchors).topRows<2>()),
       crossings_(fabricate::crossings(solid.curves, axes)) {
-  for (const auto& curve : solid.curves) lines_.emplace_back((axes * curve.points).topRows<2>());
+  for (const auto& curve : solid.curves) {
+    const Eigen::Matrix3Xd points = axes * curve.points;
+    lines_.emplace_back(points.topRows<2>());
+    heights_.emplace_back(points.row(2));
+  }
   for (const Path& line : lines_)
     for (const auto& point : line.colwise()) box_.extend(Vector2d(point));
   for (const auto& point : anchors_.colwise()) box_.extend(Vector2d(point));
 }
 
-void draw(Canvas& canvas, const Seen& seen, const Spot& spot, const Look& look) {
-  Sketch(canvas, seen, spot, look).draw();
+Path on_paper(const Path& points, const Seen& seen, const Spot& spot) {
+  const Vector2d centre = seen.box().center();
+  Path paper(2, points.cols());
+  paper.row(0) = spot.middle.x() + spot.scale * (points.row(0).array() - centre.x());
+  paper.row(1) = spot.middle.y() - spot.scale * (points.row(1).array() - centre.y());
+  return paper;
+}
+
+int draw(Canvas& canvas, const Seen& seen, const Spot& spot, const Look& look) {
+  return Sketch(canvas, seen, spot, look).draw();
 }
 
 double usual_scale(const Vector2d& size, const Vector2d& room) {
@@ -235,15 +308,16 @@ std::string scale_words(double scale) {
   return scale > 1 ? short_number(scale) + " : 1" : "1 : " + short_number(1 / scale);
 }
 
-void draw_scale_bar(Canvas& canvas, double x, double y, double scale) {
+void draw_scale_bar(Canvas& canvas, double x, double y, double scale, bool keeps_size) {
   constexpr double least = 30;  // on paper
   constexpr std::array<double, 4> steps{1, 2, 3, 5};
   const double length = round_up(least / scale, steps);
   const double left = x - length * scale;
   canvas.line(left, y, x, y, {ink, 0.3});
   for (const double end : {left, x}) canvas.line(end, y - 1, end, y + 1, {ink, 0.3});
-  canvas.text((left + x) / 2, y + 3.6, short_number(length) + " mm  ·  scale " + scale_words(scale),
-              {2.6, false, soft_ink, Align::centre});
+  std::string words = short_number(length) + " mm";
+  if (keeps_size) words += "  ·  scale " + scale_words(scale);
+  canvas.text((left + x) / 2, y + 3.6, words, {2.6, false, soft_ink, Align::centre});
 }
 
 }  // namespace tencer::app

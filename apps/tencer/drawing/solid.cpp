@@ -1,17 +1,22 @@
-#include "fabricate/solid.hpp"
+#include "drawing/solid.hpp"
 
+#include <tencer/geometry/smooth.hpp>
 #include <tencer/model/cable_lines.hpp>
 #include <tencer/model/units.hpp>
-#include <utility>
 
 namespace tencer::app {
+
+geometry::Polyline smooth(const geometry::Polyline& curve) {
+  constexpr int enough = 300;  // edges
+  return geometry::smoothed(curve, (enough + curve.edges() - 1) / curve.edges());
+}
 
 Solid solid_of(const model::Design& design) {
   const model::Structure& structure = design.structure;
   const double mm = 1000 * model::metres(design.length_unit);
   Solid solid{.rods = static_cast<int>(structure.rods.size()), .anchors = structure.anchors * mm};
   for (std::size_t r = 0; r < structure.rods.size(); ++r) {
-    solid.curves.push_back(model::pose_curve(design, r));
+    solid.curves.push_back(smooth(model::pose_curve(design, r)));
     solid.curves.back().points *= mm;
   }
   for (geometry::Polyline& line : model::cable_lines(design)) {

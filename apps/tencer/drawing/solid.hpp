@@ -9,7 +9,8 @@
 namespace tencer::app {
 
 struct Solid {
-  std::vector<geometry::Polyline> curves{};  // the rods, then the cables, each of two points
+  // The rods, smooth, then the cables, each of two points.
+  std::vector<geometry::Polyline> curves{};
   int rods = 0;
   std::vector<std::vector<int>> ends_on{};  // of every cable: the rods that it ends on
   Eigen::Matrix3Xd anchors = Eigen::Matrix3Xd(3, 0);
@@ -18,9 +19,12 @@ struct Solid {
   const geometry::Polyline& cable(int c) const { return curves[rods + c]; }
 };
 
+// With so many points that nobody sees its edges.
+geometry::Polyline smooth(const geometry::Polyline& curve);
+
 Solid solid_of(const model::Design& design);
 
-// Rods' vertices and anchors (3 x n).
+// Of rods and anchors (3 x n).
 Eigen::Matrix3Xd points_of(const Solid& solid);
 
 }  // namespace tencer::app

@@ -1,5 +1,6 @@
 // A structure drawn from one side: rods with gaps where others pass over them, cables with numbers,
-// where each rod starts and which way it goes.
+// where each rod starts and which way it goes. The one home of drawing on paper: sheets and
+// pictures use it.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -7,8 +8,8 @@
 #include <tencer/fabricate/crossings.hpp>
 #include <vector>
 
-#include "fabricate/solid.hpp"
-#include "fabricate/strokes.hpp"
+#include "drawing/solid.hpp"
+#include "drawing/strokes.hpp"
 
 namespace tencer::app {
 
@@ -21,12 +22,14 @@ class Seen {
   const Eigen::AlignedBox2d& box() const { return box_; }
   const Solid& solid() const { return solid_; }
   const std::vector<Path>& lines() const { return lines_; }  // one a curve of the solid
+  const std::vector<Eigen::VectorXd>& heights() const { return heights_; }  // of their points
   const Path& anchors() const { return anchors_; }
   const std::vector<fabricate::Crossing>& crossings() const { return crossings_; }
 
  private:
   const Solid& solid_;
   std::vector<Path> lines_;
+  std::vector<Eigen::VectorXd> heights_;
   Path anchors_;
   std::vector<fabricate::Crossing> crossings_;
   Eigen::AlignedBox2d box_;
@@ -39,22 +42,33 @@ struct Spot {
   Eigen::AlignedBox2d bounds{};  // of words
 };
 
+enum class Numbers { on_cables, beside, none };
+
 struct Look {
   double rod_width = 1.0;
   double cable_width = 0.28;
-  bool words = true;         // names, starts and directions of rods, names of anchors
-  bool plain = false;        // rods in grey, cables but `new_cable` in ink
-  std::vector<bool> tied{};  // the cables that are drawn and numbered; none: all
-  int new_cable = -1;        // drawn to be seen, and numbered
+  bool starts = true;  // where rods start, and which way they go
+  bool rod_names = true;
+  bool anchor_names = true;
+  Numbers numbers = Numbers::on_cables;  // beside: at the ends of leaders
+  bool plain = false;                    // rods in grey, cables but `new_cable` in ink
+  std::vector<bool> tied{};              // the cables that are drawn and numbered; none: all
+  int new_cable = -1;                    // drawn to be seen, and numbered
 };
 
-void draw(Canvas& canvas, const Seen& seen, const Spot& spot, const Look& look);
+// Points seen along the axes, on paper.
+Path on_paper(const Path& points, const Seen& seen, const Spot& spot);
+
+// Returns how many numbers are left out, since they would hide others: only those beside cables
+// are.
+int draw(Canvas& canvas, const Seen& seen, const Spot& spot, const Look& look);
 
 // 1 : n, or n : 1, for the least n of those that people use at which `size` fits into `room`.
 double usual_scale(const Eigen::Vector2d& size, const Eigen::Vector2d& room);
 std::string scale_words(double scale);  // "1 : 2.5"
 
-// A bar of some round length, its right end at x, with that length and the scale below.
-void draw_scale_bar(Canvas& canvas, double x, double y, double scale);
+// A bar of some round length, its right end at x, with that length below, and the scale, where the
+// paper keeps its size.
+void draw_scale_bar(Canvas& canvas, double x, double y, double scale, bool keeps_size = true);
 
 }  // namespace tencer::app

@@ -10,7 +10,11 @@ namespace tencer::app {
 // reader.
 Eigen::Matrix3d principal_axes(const Eigen::Matrix3Xd& points);
 
-// The same, turned so that curves in planes along the axes are not seen edge-on.
+// The same structure from above it and from its right; axes: of the front.
+Eigen::Matrix3d from_above(const Eigen::Matrix3d& axes);
+Eigen::Matrix3d from_right(const Eigen::Matrix3d& axes);
+
+// The principal axes, turned so that curves in planes along the axes are not seen edge-on.
 Eigen::Matrix3d oblique_axes(const Eigen::Matrix3Xd& points);
 
 }  // namespace tencer::app

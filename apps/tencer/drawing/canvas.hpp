@@ -1,4 +1,4 @@
-// Drawing on paper: lines, areas and words in mm from the upper left corner, as PDF or SVG by
+// Drawing on paper: lines, areas and words in mm from the upper left corner, as PDF, SVG or PNG by
 // Cairo, which no other file sees.
 #pragma once
 
@@ -49,6 +49,7 @@ class Canvas {
 
   void line(double x0, double y0, double x1, double y1, const Pen& pen = {});
   void path(const Path& points, const Pen& pen);
+  void border(const Path& corners, const Pen& pen);  // closed
   void area(const Path& corners, const Colour& fill);
   void rectangle(double x, double y, double width, double height, const Colour& fill);
   void frame(double x, double y, double width, double height, const Pen& pen = {});
@@ -82,7 +83,11 @@ class Pdf {
   Canvas canvas_;
 };
 
-// An SVG drawing whose unit is the millimetre. Throws like Pdf::finish().
-std::string svg_drawing(double width, double height, const std::function<void(Canvas&)>& draw);
+// One drawing, in mm. All throw like Pdf::finish(). The title says what it shows to those who cannot
+// see it.
+using Draw = std::function<void(Canvas&)>;
+std::string svg_drawing(double width, double height, const std::string& title, const Draw& draw);
+std::string pdf_drawing(double width, double height, const std::string& title, const Draw& draw);
+std::string png_drawing(double width, double height, double dots_per_inch, const Draw& draw);
 
 }  // namespace tencer::app

@@ -1,11 +1,14 @@
-#include "fabricate/canvas.hpp"
+#include "drawing/canvas.hpp"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string_view>
 
 namespace tencer::app {
 namespace {
@@ -80,6 +83,45 @@ void stroke(cairo_t* context, const Pen& pen) {
   cairo_stroke(context);
 }
 
+// How many bytes the letter of UTF-8 takes that begins here; 0: none does.
+std::size_t letter_size(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80) return 1;
+  const std::size_t size = lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : lead < 0xF5 ? 4 : 0;
+  if (text.size() < size) return 0;
+  for (std::size_t i = 1; i < size; ++i)
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  // Too long for what it says, half of a pair, or beyond the last letter there is.
+  const bool wrong = (lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) >= 0xA0) ||
+                     (lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) >= 0x90);
+  return wrong ? 0 : size;
+}
+
+// What is no text, such as the name of a file may be, makes Cairo give up.
+std::string readable(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t size = letter_size(text);
+    result += size > 0 ? text.substr(0, size) : "?";
+    text.remove_prefix(std::max<std::size_t>(size, 1));
+  }
+  return result;
+}
+
+std::string escaped(const std::string& text) {
+  std::string xml;
+  for (const char c : text) {
+    if (c == '&')
+      xml += "&amp;";
+    else if (c == '<')
+      xml += "&lt;";
+    else
+      xml += c;
+  }
+  return xml;
+}
+
 void trace(cairo_t* context, const Path& points) {
   for (Eigen::Index i = 0; i < points.cols(); ++i)
     cairo_line_to(context, points(0, i), points(1, i));  // the first moves there
@@ -105,6 +147,12 @@ void Canvas::line(double x0, double y0, double x1, double y1, const Pen& pen) {
 
 void Canvas::path(const Path& points, const Pen& pen) {
   trace(context_, points);
+  stroke(context_, pen);
+}
+
+void Canvas::border(const Path& corners, const Pen& pen) {
+  trace(context_, corners);
+  cairo_close_path(context_);
   stroke(context_, pen);
 }
 
@@ -135,14 +183,14 @@ void Canvas::text(double x, double y, const std::string& words, const Font& font
   const double width = font.align == Align::left ? 0 : width_of(words, font);
   use(context_, font);
   cairo_move_to(context_, x - (font.align == Align::centre ? width / 2 : width), y);
-  cairo_show_text(context_, words.c_str());
+  cairo_show_text(context_, readable(words).c_str());
   cairo_new_path(context_);
 }
 
 double Canvas::width_of(const std::string& words, const Font& font) {
   use(context_, font);
   cairo_text_extents_t extents;
-  cairo_text_extents(context_, words.c_str(), &extents);
+  cairo_text_extents(context_, readable(words).c_str(), &extents);
   return extents.x_advance;
 }
 
@@ -166,7 +214,7 @@ Pdf::Pdf(double width, double height, const std::string& title)
   Drawing& drawing = surface_->drawing;
   cairo_surface_t* surface = cairo_pdf_surface_create_for_stream(
       append, &drawing.text(), width * points_per_mm, height * points_per_mm);
-  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, title.c_str());
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, readable(title).c_str());
   // The same design gives the same bytes: no date.
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
   canvas_ = Canvas(drawing.begin(surface, points_per_mm));
@@ -178,13 +226,36 @@ void Pdf::end_page() { cairo_surface_show_page(surface_->drawing.surface()); }
 
 std::string Pdf::finish() { return surface_->drawing.finish(); }
 
-std::string svg_drawing(double width, double height, const std::function<void(Canvas&)>& draw) {
+std::string svg_drawing(double width, double height, const std::string& title, const Draw& draw) {
   Drawing drawing;
   cairo_surface_t* surface =
       cairo_svg_surface_create_for_stream(append, &drawing.text(), width, height);
   cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_MM);
   Canvas canvas(drawing.begin(surface, 1));
   draw(canvas);
+  std::string svg = drawing.finish();
+  return svg.insert(svg.find('>', svg.find("<svg")) + 1, "\n<title>" + escaped(title) + "</title>");
+}
+
+std::string pdf_drawing(double width, double height, const std::string& title, const Draw& draw) {
+  Pdf pdf(width, height, title);
+  draw(pdf.page());
+  pdf.end_page();
+  return pdf.finish();
+}
+
+std::string png_drawing(double width, double height, double dots_per_inch, const Draw& draw) {
+  const double dots_per_mm = dots_per_inch / 25.4;
+  Drawing drawing;
+  cairo_surface_t* surface = cairo_image_surface_create(
+      CAIRO_FORMAT_RGB24, static_cast<int>(std::ceil(width * dots_per_mm)),
+      static_cast<int>(std::ceil(height * dots_per_mm)));
+  Canvas canvas(drawing.begin(surface, dots_per_mm));
+  // Also the dots that the paper covers in part.
+  canvas.rectangle(0, 0, width + 1, height + 1, white);
+  draw(canvas);
+  check(cairo_surface_status(surface));
+  check(cairo_surface_write_to_png_stream(surface, append, &drawing.text()));
   return drawing.finish();
 }
 
