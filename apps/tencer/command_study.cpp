@@ -99,16 +99,13 @@ std::optional<core::Error> study_closed_forms(const std::filesystem::path& folde
     return error;
   study::Plot plot{.title = "The forward solver against closed forms",
                    .error_axis = "relative error",
-                   .label_note = "numbers at points: edges"};
+                   .count_axis = "edges"};
   for (const auto& row : rows) {
     if (plot.curves.empty() || plot.curves.back().name != row.problem)
       plot.curves.push_back(
           {.name = row.problem, .colour = static_cast<int>(plot.curves.size()) + 1});
-    const bool labelled =
-        plot.curves.size() == 1 || row.edges == edges.front() || row.edges == edges.back();
-    plot.curves.back().points.push_back({.seconds = row.seconds,
-                                         .error = row.error,
-                                         .label = labelled ? std::to_string(row.edges) : ""});
+    plot.curves.back().points.push_back(
+        {.seconds = row.seconds, .error = row.error, .count = row.edges});
   }
   return draughtsman.draw("closed-forms", plot);
 }

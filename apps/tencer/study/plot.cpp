@@ -9,7 +9,9 @@
 namespace tencer::app::study {
 namespace {
 
-bool on_axes(const PlotPoint& point) { return point.seconds > 0 && point.error > 0; }
+bool on_axes(const PlotPoint& point) {
+  return point.seconds > 0 && (point.error > 0 || point.count > 0);
+}
 
 bool drawn(const PlotCurve& curve) { return std::ranges::any_of(curve.points, on_axes); }
 
@@ -29,7 +31,12 @@ std::string plain(std::string text) {
 
 std::string data(const Plot& plot) {
   std::ostringstream text;
-  text << "# seconds, error, label; two blank lines between curves\n" << std::setprecision(9);
+  const auto or_none = [](double value) {
+    std::ostringstream number;
+    number << std::setprecision(9) << value;
+    return value > 0 ? number.str() : std::string("nan");
+  };
+  text << "# seconds, error, " << plain(plot.count_axis) << "; two blank lines between curves\n";
   bool first = true;
   for (const auto& curve : plot.curves) {
     if (!drawn(curve)) continue;
@@ -37,7 +44,8 @@ std::string data(const Plot& plot) {
     first = false;
     for (const auto& point : curve.points)
       if (on_axes(point))
-        text << point.seconds << ' ' << point.error << " \"" << plain(point.label) << "\"\n";
+        text << or_none(point.seconds) << ' ' << or_none(point.error) << ' ' << or_none(point.count)
+             << '\n';
   }
   return text.str();
 }
@@ -61,50 +69,82 @@ std::vector<double> numbers_along(double least, double largest) {
 
 // Where fewer than two powers of ten may be on an axis, which would leave it without numbers; else
 // gnuplot's own choice.
-std::string tics(const Plot& plot, char axis, double PlotPoint::*value) {
-  double least = std::numeric_limits<double>::infinity();
-  double largest = 0;
-  for (const auto& curve : plot.curves)
-    for (const auto& point : curve.points)
-      if (on_axes(point)) {
-        least = std::min(least, point.*value);
-        largest = std::max(largest, point.*value);
-      }
-  if (!(largest < 100 * least)) return "";
+std::string tics(char axis, std::vector<double> values) {
+  std::erase_if(values, [](double value) { return !(value > 0); });
+  if (values.empty()) return "";
+  const auto [least, largest] = std::ranges::minmax(values);
+  const std::string set = std::string("set ") + axis + "tics ";
+  if (!(largest < 100 * least)) return set + "autofreq\n";
   std::ostringstream text;
   for (const double number : numbers_along(least, largest))
     text << (text.str().empty() ? "" : ", ") << number;
-  return std::string("set ") + axis + "tics (" + text.str() + ")\n";
+  return set + "(" + text.str() + ")\n";
 }
 
-std::string script(const std::string& name, const Plot& plot) {
+template <class Value>
+std::vector<double> values_of(const Plot& plot, Value PlotPoint::*value) {
+  std::vector<double> values;
+  for (const auto& curve : plot.curves)
+    for (const auto& point : curve.points)
+      if (on_axes(point)) values.push_back(static_cast<double>(point.*value));
+  return values;
+}
+
+// One panel: a column of the data against the first.
+std::string panel(const Plot& plot, int column, bool titles) {
   std::ostringstream text;
-  text << "# gnuplot " << plain(name) << ".gp\n"
-       << "set terminal svg size 760,520 font 'sans,13' background rgb 'white'\n"
-       << "set output " << quoted(name + ".svg") << '\n'
-       << "set title " << quoted(plot.title) << " noenhanced\n"
-       << "set logscale xy\nset format xy '%g'\nset grid lc rgb '#dddddd'\n"
-       << "set xlabel "
-       << quoted("seconds" + (plot.label_note.empty() ? "" : " (" + plot.label_note + ")"))
-       << " noenhanced\nset ylabel " << quoted(plot.error_axis) << " noenhanced\n"
-       << tics(plot, 'x', &PlotPoint::seconds) << tics(plot, 'y', &PlotPoint::error)
-       << "set key outside below horizontal noenhanced\nset autoscale noextend\n"
-       << "set offsets graph 0.05, graph 0.05, graph 0.1, graph 0.05\n"
-       << "set linetype 1 lc rgb '#0060ad'\nset linetype 2 lc rgb '#d95319'\n"
-       << "set linetype 3 lc rgb '#4f9d2f'\nset linetype 4 lc rgb '#7e2f8e'\n"
-       << "set linetype 5 lc rgb '#a2842c'\nset linetype 6 lc rgb '#008b8b'\n"
-       << "data = " << quoted(name + ".dat") << '\n';
   text << "plot";
   int block = 0;
   for (const auto& curve : plot.curves) {
     if (!drawn(curve)) continue;
-    text << (block > 0 ? ", \\\n     " : " ") << "data index " << block
-         << " using 1:2 with linespoints lt " << curve.colour << " pt 7 ps 0.45 title "
-         << quoted(curve.name) << ", data index " << block
-         << " using 1:2:3 with labels offset 0,0.7 font ',10' tc lt " << curve.colour << " notitle";
+    text << (block > 0 ? ", \\\n     " : " ") << "data index " << block << " using 1:" << column
+         << " with linespoints lt " << curve.colour << " pt 7 ps 0.45 "
+         << (titles ? "title " + quoted(curve.name) : "notitle");
     ++block;
   }
   text << '\n';
+  return text.str();
+}
+
+// That of all figures, docs/figures/common.gp.
+constexpr const char* style = R"gp(set terminal svg size 760,560 font 'sans,13' background rgb 'white'
+set border 3 lc rgb '#666666'
+set tics nomirror textcolor rgb '#222222'
+set grid lc rgb '#e4e4e4' lt 1
+set key noenhanced reverse Left samplen 2
+set linetype 1 lc rgb '#0060ad'
+set linetype 2 lc rgb '#d95319'
+set linetype 3 lc rgb '#4f9d2f'
+set linetype 4 lc rgb '#7e2f8e'
+set linetype 5 lc rgb '#a2842c'
+set linetype 6 lc rgb '#008b8b'
+set linetype 7 lc rgb '#888888'
+)gp";
+
+std::string script(const std::string& name, const Plot& plot) {
+  std::vector<double> errors = values_of(plot, &PlotPoint::error);
+  if (plot.allowed) errors.push_back(*plot.allowed);
+  std::ostringstream text;
+  text << "# gnuplot " << plain(name) << ".gp\n"
+       << style << "set output " << quoted(name + ".svg") << "\ndata = " << quoted(name + ".dat")
+       << "\nset multiplot title " << quoted(plot.title) << " noenhanced\n"
+       << "set logscale xy\nset format xy '%g'\nset autoscale noextend\n"
+       << "set offsets graph 0.05, graph 0.05, graph 0.1, graph 0.05\n"
+       << "set lmargin at screen 0.12\nset rmargin at screen 0.97\n"
+       << tics('x', values_of(plot, &PlotPoint::seconds))  //
+       << "set tmargin at screen 0.92\nset bmargin at screen 0.50\nset format x ''\n"
+       << "set ylabel " << quoted(plot.error_axis) << " noenhanced\n"
+       << tics('y', errors) << "unset key\n";
+  if (plot.allowed)
+    text << "set label 1 'allowed' at graph 0.01, first " << *plot.allowed
+         << " offset 0,0.5 tc lt 7\nset arrow 1 from graph 0, first " << *plot.allowed
+         << " to graph 1, first " << *plot.allowed << " nohead lt 7 dt 4\n";
+  text << panel(plot, 2, false) << "unset arrow\nunset label\n"
+       << "set tmargin at screen 0.46\nset bmargin at screen 0.22\nset format x '%g'\n"
+       << "set xlabel 'seconds'\nset ylabel " << quoted(plot.count_axis) << " noenhanced\n"
+       << tics('y', values_of(plot, &PlotPoint::count))
+       << "set key at screen 0.5, screen 0.02 center bottom horizontal\n"
+       << panel(plot, 3, true) << "unset multiplot\n";
   return text.str();
 }
 

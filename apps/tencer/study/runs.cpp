@@ -8,6 +8,7 @@
 #include <sstream>
 #include <system_error>
 #include <tencer/io/file.hpp>
+#include <tencer/io/scene.hpp>
 
 #include "child.hpp"
 
@@ -54,8 +55,8 @@ Row failed(const Run& run, const ChildEnd& end, const fs::path& log, double limi
   return row;
 }
 
-// The way to a design: where each stage ended, unless nothing had changed. A label where the number
-// of cables is another. Without the last one, the design itself.
+// The way to a design: where each stage ended, unless nothing had changed. Without the last one,
+// the design itself.
 std::vector<PlotPoint> stages(const model::Design& design) {
   std::vector<PlotPoint> points;
   double seconds = 0;
@@ -63,11 +64,8 @@ std::vector<PlotPoint> stages(const model::Design& design) {
   for (const auto& stage : design.trace) {
     seconds += stage.seconds;
     if (stage.stage == "settle") continue;  // a test of what is there
-    const bool changed = stage.cables != cables;
-    if (changed || stage.max_percent != points.back().error)
-      points.push_back({.seconds = seconds,
-                        .error = stage.max_percent,
-                        .label = changed ? std::to_string(stage.cables) : ""});
+    if (stage.cables != cables || stage.max_percent != points.back().error)
+      points.push_back({.seconds = seconds, .error = stage.max_percent, .count = stage.cables});
     cables = stage.cables;
   }
   if (cables == static_cast<int>(design.structure.cables.size()) && points.size() > 1)
@@ -138,10 +136,12 @@ Plot plot_of(const std::string& scene, std::span<const Row> rows, const fs::path
   const bool several = resolutions.size() > 1;
   std::ranges::stable_sort(found, {}, [](const Row* row) { return row->run.resolution; });
 
-  Plot plot{.title = scene,
-            .error_axis = "max error, % of the size of the target",
-            .label_note =
-                several ? "numbers at points: cables, resolution" : "numbers at points: cables"};
+  Plot plot{.title = scene + (several ? ", a point a resolution" : ""),
+            .error_axis = "max error, % of the size",
+            .count_axis = "cables"};
+  if (!found.empty())
+    if (const auto asked = io::read_any_scene(found.front()->run.file))
+      plot.allowed = asked->design.max_error;
   for (const Row* row : found) {
     const std::string name = row->run.method + ", " + row->run.optimizer;
     auto curve = std::ranges::find(plot.curves, name, &PlotCurve::name);
@@ -149,15 +149,12 @@ Plot plot_of(const std::string& scene, std::span<const Row> rows, const fs::path
       const int colour = static_cast<int>(plot.curves.size()) + 1;
       curve = plot.curves.insert(curve, {.name = name, .colour = colour});
     }
-    PlotPoint design{.seconds = row->seconds,
-                     .error = row->max_percent.value_or(0.0),
-                     .label = std::to_string(*row->cables)};
-    if (several) {
-      design.label += ", x" + short_text(row->run.resolution);
-    } else if (const auto file = io::read_design(design_of(folder, row->run))) {
-      curve->points = stages(*file);
-    }
-    curve->points.push_back(std::move(design));
+    PlotPoint design{
+        .seconds = row->seconds, .error = row->max_percent.value_or(0.0), .count = *row->cables};
+    if (!several)
+      if (const auto file = io::read_design(design_of(folder, row->run)))
+        curve->points = stages(*file);
+    curve->points.push_back(design);
   }
   return plot;
 }
