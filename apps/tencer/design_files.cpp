@@ -29,8 +29,10 @@ std::vector<io::NamedText> files_of(const model::Design& design, std::string pag
   std::vector<geometry::Polyline> poses;
   for (std::size_t r = 0; r < design.pose.size(); ++r)
     poses.push_back(model::pose_curve(design, r));
-  return {{"design.json", io::design_text(design)}, {"trace.csv", io::trace_text(design.trace)},
-          {"pose.obj", io::obj_text(poses)},        {"report.txt", model::findings(design)},
+  return {{"design.json", io::design_text(design)},
+          {"trace.csv", io::trace_text(design.trace)},
+          {"pose.obj", io::obj_text(poses)},
+          {"report.txt", model::findings(design)},
           {"view.html", std::move(page)},
           {"picture.svg", picture(design, PictureFormat::svg)}};
 }

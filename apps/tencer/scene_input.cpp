@@ -21,6 +21,11 @@ void add_scene(CLI::App& command, SceneRequest& request, const std::string& cabl
                   "Of the curve's numbers: mm, cm, m, in or ft [the file's, else cm]")
       ->check(one_of({units.begin(), units.end()}));
   command
+      .add_option("--smooth", request.smooth,
+                  "Round bends sharper than this radius to it, in the scene's unit of length [the "
+                  "scene's, else they stay]")
+      ->check(positive_number());
+  command
       .add_option("--max-error", request.max_error,
                   "Largest distance to the target, % of its bounding-box diagonal [the scene's, "
                   "else 1]")
@@ -38,7 +43,8 @@ core::Expected<model::Scene> requested_scene(const SceneRequest& request) {
   auto scene =
       io::read_any_scene(request.input, {.material = *model::find_material(request.material),
                                          .close = request.closed,
-                                         .length_unit = request.unit});
+                                         .length_unit = request.unit,
+                                         .smooth = request.smooth});
   if (!scene) return scene.error();
   if (request.max_error) {
     scene->design.max_error = *request.max_error;

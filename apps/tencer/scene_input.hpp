@@ -17,6 +17,7 @@ struct SceneRequest {
   std::string material = model::glass_fibre().name;
   bool closed = false;              // of a bare curve
   std::optional<std::string> unit;  // likewise
+  std::optional<double> smooth;
   std::optional<double> max_error;
   std::optional<int> cables;
   double resolution = 1.0;

@@ -10,8 +10,8 @@
 namespace tencer::app {
 
 // Holds the whole files of the designs (view/page_data.hpp), from which scripts make the view and
-// the tables, and the picture of the first, drawing/picture.hpp's, for where there is no WebGL. It opens
-// with design number `first`. Requires at least one design, and of each a rod and finite
+// the tables, and the picture of the first, drawing/picture.hpp's, for where there is no WebGL. It
+// opens with design number `first`. Requires at least one design, and of each a rod and finite
 // coordinates.
 std::string view_page(std::span<const PageDesign> designs, std::size_t first = 0);
 

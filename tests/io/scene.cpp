@@ -140,6 +140,38 @@ TEST_CASE("a bare curve makes the same scene as a scene that only names it") {
         "x.obj: holds no curves");
 }
 
+TEST_CASE("corners are rounded on request") {
+  const Curves folder;
+  const std::string ring = "length_unit = 'mm'\n[[rod]]\ncurve = 'ring.obj'\n";
+  const auto length_of = [](const model::Scene& scene) {
+    return geometry::edge_lengths(target_curve(scene, 0)).sum();
+  };
+  const double round = 4 * 2 + 2 * pi;
+  const model::Scene smooth = folder.scene(ring + "smooth = 1\n");
+  CHECK(length_of(smooth) == Approx(round).epsilon(0.02));
+  CHECK(target_curve(smooth, 0).vertices() > 40);
+  REQUIRE(smooth.notes.size() == 1);
+  CHECK_THAT(smooth.notes[0],
+             Contains("4 bends sharper than a radius of 1 mm are rounded, which moves the curve by "
+                      "up to 0.4") &&
+                 Contains("at arc length 0 mm, (0, 0, 0), and 3 more"));
+  CHECK(target_curve(folder.scene(ring + "smooth = 1\nvertices = 60\n"), 0).vertices() == 60);
+  CHECK_THAT(folder.error(ring + "smooth = 3\n"),
+             Contains("s.toml:4: rod[0].smooth: there is no room for a radius of 3 mm at arc "
+                      "length") &&
+                 Contains("take a smaller one"));
+  // What the program says holds for scenes and bare curves, in the scene's unit.
+  const auto said = read_any_scene(folder.put("s.toml", ring + "smooth = 3\n"), {.smooth = 1});
+  REQUIRE(said);
+  CHECK(length_of(*said) == Approx(round).epsilon(0.02));
+  const auto bare = read_any_scene(folder / "ring.obj", {.length_unit = "in", .smooth = 2.54});
+  REQUIRE(bare);
+  CHECK(length_of(*bare) == Approx(2.54 * round).epsilon(0.02));
+  const auto none = read_any_scene(folder / "ring.obj", {.smooth = 3});
+  REQUIRE_FALSE(none);
+  CHECK_THAT(none.error().text(), Contains("ring.obj: --smooth: there is no room for a radius"));
+}
+
 TEST_CASE("everything a scene can say is read") {
   const Curves folder;
   const model::Scene scene = folder.scene(R"(

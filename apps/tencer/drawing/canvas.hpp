@@ -83,8 +83,8 @@ class Pdf {
   Canvas canvas_;
 };
 
-// One drawing, in mm. All throw like Pdf::finish(). The title says what it shows to those who cannot
-// see it.
+// One drawing, in mm. All throw like Pdf::finish(). The title says what it shows to those who
+// cannot see it.
 using Draw = std::function<void(Canvas&)>;
 std::string svg_drawing(double width, double height, const std::string& title, const Draw& draw);
 std::string pdf_drawing(double width, double height, const std::string& title, const Draw& draw);

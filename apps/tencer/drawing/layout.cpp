@@ -83,8 +83,8 @@ Layout::Layout(const Solid& solid, const PictureOptions& options) : numbers_(opt
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     const std::size_t row = i / columns();
     heights_.resize(row + 1, 0.0);
-    heights_[row] = std::max(heights_[row], scale_ * seen_[i].box().sizes().y() +
-                                                2 * words_around + (several() ? below_view : 0));
+    heights_[row] = std::max(heights_[row], scale_ * seen_[i].box().sizes().y() + 2 * words_around +
+                                                (several() ? below_view : 0));
   }
   size_.x() = width;
   if (!several())

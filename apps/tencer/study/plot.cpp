@@ -107,7 +107,8 @@ std::string panel(const Plot& plot, int column, bool titles) {
 }
 
 // That of all figures, docs/figures/common.gp.
-constexpr const char* style = R"gp(set terminal svg size 760,560 font 'sans,13' background rgb 'white'
+constexpr const char* style =
+    R"gp(set terminal svg size 760,560 font 'sans,13' background rgb 'white'
 set border 3 lc rgb '#666666'
 set tics nomirror textcolor rgb '#222222'
 set grid lc rgb '#e4e4e4' lt 1

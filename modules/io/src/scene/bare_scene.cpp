@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "curves/curve_format.hpp"
+#include "curves/round_curve.hpp"
 #include "design/design_json.hpp"
 #include "design/published_json.hpp"
 #include "scene/parse_scene.hpp"
@@ -39,6 +40,8 @@ void refuse_curve_options(const std::filesystem::path& path, const SceneOptions&
 Scene scene_of_design(const nlohmann::json& content, const std::filesystem::path& path,
                       const SceneOptions& options) {
   refuse_curve_options(path, options);
+  if (options.smooth)
+    fail(shown(path), "is a design, whose rods are as they are: leave out --smooth");
   Scene scene =
       model::scene_of(any_design(JsonValue(content, shown(path)), path), options.material);
   scene.source = shown(path);
@@ -61,12 +64,16 @@ Scene scene_of(CurveFile file, const std::filesystem::path& path, const SceneOpt
     file.notes.insert(file.notes.end(), file.open_ends.begin(), file.open_ends.end());
   if (file.length_unit && !options.length_unit)
     file.notes.push_back("the file says that its numbers are " + words_for(*file.length_unit));
-  if (const auto unit = options.length_unit ? options.length_unit : file.length_unit)
-    take_unit(file, *unit);
+  if (const auto said = options.length_unit ? options.length_unit : file.length_unit)
+    take_unit(file, *said);
   limit_vertices(file.curves, shown(path), file.notes);
-  Scene scene =
-      model::scene_of(file.curves, stem(path), file.length_unit.value_or(Scene().length_unit),
-                      options.force_unit.value_or(Scene().force_unit), options.material);
+  const std::string unit = file.length_unit.value_or(Scene().length_unit);
+  for (geometry::Polyline& curve : file.curves)
+    if (options.smooth)
+      if (const auto problem = round_curve(*options.smooth, {}, unit, curve, file.notes))
+        fail(shown(path), "--smooth: " + *problem);
+  Scene scene = model::scene_of(file.curves, stem(path), unit,
+                                options.force_unit.value_or(Scene().force_unit), options.material);
   scene.source = shown(path);
   scene.notes = std::move(file.notes);
   check_crossings(scene);
@@ -110,7 +117,7 @@ core::Expected<Scene> read_any_scene(const std::filesystem::path& path,
 core::Expected<Scene> scene_with_keys(const std::filesystem::path& path, const SceneKeys& keys) {
   return guarded([&] {
     SortedKeys said = sorted_keys(keys.text);
-    SceneSource source = source_of(path, model::glass_fibre());
+    SceneSource source = source_of(path, {});
     source.designs = keys.designs;
     return read_any(
         path,

@@ -51,7 +51,7 @@ struct SceneSource {
 model::Scene parse_scene(std::string_view text, const std::filesystem::path& path,
                          const SceneOptions& options);
 
-SceneSource source_of(const std::filesystem::path& path, const model::Material& material);
+SceneSource source_of(const std::filesystem::path& path, const SceneOptions& options);
 model::Scene read_root(const TomlTable& root, const SceneSource& source);
 
 // What the table says beside rods and units, in place of what the scene says.

@@ -358,16 +358,18 @@ Scene read_root(const TomlTable& root, const SceneSource& source) {
   return scene;
 }
 
-SceneSource source_of(const std::filesystem::path& path, const model::Material& material) {
-  return {.name = stem(path),
-          .shown = shown(path),
-          .rods = {.folder = path.parent_path(), .material = material}};
+SceneSource source_of(const std::filesystem::path& path, const SceneOptions& options) {
+  return {
+      .name = stem(path),
+      .shown = shown(path),
+      .rods = {
+          .folder = path.parent_path(), .material = options.material, .smooth = options.smooth}};
 }
 
 Scene parse_scene(std::string_view text, const std::filesystem::path& path,
                   const SceneOptions& options) {
   const toml::table content = TomlTable::parse(text, shown(path));
-  return read_root(TomlTable(content), source_of(path, options.material));
+  return read_root(TomlTable(content), source_of(path, options));
 }
 
 core::Expected<Scene> read_scene(const std::filesystem::path& path, const SceneOptions& options) {

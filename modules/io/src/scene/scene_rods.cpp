@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "curves/finish_curve.hpp"
+#include "curves/round_curve.hpp"
 #include "scene/scene_section.hpp"
 #include "scene/vertex_limit.hpp"
 #include "text/bad_input.hpp"
@@ -112,6 +113,22 @@ void close_or_check(const TomlTable& table, std::vector<Polyline>& curves) {
   }
 }
 
+// Rounded to the radius that is asked for, and with as many vertices as the table says.
+void smooth_or_resample(const TomlTable& table, const Source& source,
+                        std::vector<Polyline>& curves) {
+  const auto vertices = table.integer("vertices", min_vertices, most_vertices);
+  const auto said = table.positive("smooth");
+  const auto radius = source.smooth ? source.smooth : said;
+  for (Polyline& curve : curves) {
+    const auto problem =
+        radius ? round_curve(*radius, vertices, source.units.length, curve, source.notes)
+               : std::nullopt;
+    if (problem && source.smooth) fail(table.where(), "--smooth: " + *problem);
+    if (problem) table.fail("smooth", *problem);
+    if (vertices && table.has("curve")) curve = geometry::resample(curve, *vertices);
+  }
+}
+
 // The curves that a table names by `curve` and `index`, by `family` and `parameters`, or by
 // `spline`.
 std::vector<Polyline> curves_of(const TomlTable& table, const Source& source) {
@@ -132,9 +149,7 @@ std::vector<Polyline> curves_of(const TomlTable& table, const Source& source) {
     curves = {curves[*index]};
   }
   close_or_check(table, curves);
-  if (table.has("curve"))
-    if (const auto vertices = table.integer("vertices", min_vertices, most_vertices))
-      for (Polyline& curve : curves) curve = geometry::resample(curve, *vertices);
+  smooth_or_resample(table, source, curves);
   return curves;
 }
 
@@ -151,8 +166,8 @@ model::RestShape read_rest(const TomlTable& rest, const Source& source) {
     shape.curvature = *rest.number("curvature");
     return shape;
   }
-  rest.only(
-      {"curve", "index", "family", "parameters", "spline", "vertices", "director", "curvature"});
+  rest.only({"curve", "index", "family", "parameters", "spline", "vertices", "smooth", "director",
+             "curvature"});
   std::vector<Polyline> curves = curves_of(rest, source);
   if (curves.size() != 1)
     fail(rest.where(), "rest names " + std::to_string(curves.size()) +

@@ -53,7 +53,8 @@ std::optional<std::string> corner_problem(const Structure& structure, std::size_
        << " degrees from one edge to the next";
   if (corners.size() > 1) text << ", and " << corners.size() - 1 << " more";
   text << ": no rod follows it" << least_radius_in_words(structure, rod, length_unit)
-       << "; round it, or give the curve more vertices";
+       << "; round it with smooth = RADIUS in [[rod]], or --smooth RADIUS, or give the curve more "
+          "vertices";
   return text.str();
 }
 

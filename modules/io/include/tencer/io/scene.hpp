@@ -19,6 +19,8 @@ struct SceneOptions {
   // Of the numbers of bare files, one of curve_units(), whatever they say themselves.
   std::optional<std::string> length_unit{};
   std::optional<std::string> force_unit{};  // of bare files, N by default
+  // The radius to which bends of all curves are rounded, in the scene's unit; not set: as rods say.
+  std::optional<double> smooth{};
 };
 
 // Keys of docs/scene.md that a program says, in place of a file's or without one. The keys of
