@@ -77,7 +77,7 @@ def kinds(page):
     parameters = {"type": "object", "additionalProperties": NUMBER}
     family = one_of(*names_in(page, "family"))
     curve = {"curve": TEXT, "index": INDEX, "family": family, "spline": POINTS,
-             "parameters": parameters, "vertices": VERTICES}
+             "parameters": parameters, "vertices": VERTICES, "smooth": POSITIVE}
     return {
         "Top level": {
             "name": TEXT, "length_unit": one_of("mm", "cm", "m"),
