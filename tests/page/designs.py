@@ -46,6 +46,22 @@ def ring(name, cables, max_percent, **more):
             **more}
 
 
+def eight(name):
+    """A ring with two cables, laid as an eight that crosses itself half its length apart, 2 cm above
+    itself."""
+    vertices = 96
+    design = ring(name, 2, 0)
+    angles = [2 * math.pi * (i + 0.5) / vertices for i in range(vertices)]
+    pose = [[10 * math.cos(t), 5 * math.sin(2 * t), math.sin(t)] for t in angles]
+    length = [math.dist(pose[i], pose[(i + 1) % vertices]) for i in range(vertices)]
+    design["rods"][0].update(pose=pose, target=pose, rest_lengths=length)
+    return design
+
+
+def length_of(design):
+    return sum(design["rods"][0]["rest_lengths"])
+
+
 def check(passed, fails, within):
     """What a check of part of it found; lengths in cm."""
     return {"passed": passed, "fails": fails, "not_looked_at": ["stands", "comes back", "holds"],

@@ -2,6 +2,7 @@
 
 usage: page.py TENCER CHROMIUM CHROMEDRIVER FOLDER
 """
+import json
 import pathlib
 import shutil
 import subprocess
@@ -107,6 +108,25 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.texts("#labels .chosen"), ["2"])
         self.browser.click("#closest tbody tr")
         self.assertEqual(len(self.browser.texts("#closest tr.chosen")), 1)
+
+    def test_crossings_are_listed_and_shown(self):
+        file = folder / "eight.json"
+        file.write_text(json.dumps(designs.eight("eight")))
+        page = folder / "eight.html"
+        subprocess.run([tencer, "view", file, "-o", page, "--quiet"], check=True)
+        self.browser.open(page, 1280, 900)
+        over, under, apart = self.browser.texts("#crossing tbody td")
+        self.assertEqual(apart, "20 mm")
+        half = designs.length_of(designs.eight("eight")) / 2
+        self.assertAlmostEqual(abs(float(over.split()[0]) - float(under.split()[0])), half, delta=0.1)
+        self.face_on()
+        middle = (0.5, 0.51)
+        before, = self.browser.colours(middle)
+        self.browser.click("#crossing tbody tr")
+        after, = self.browser.colours(middle)
+        self.assertEqual(len(self.browser.texts("#crossing tr.chosen")), 1)
+        self.assertGreater(distance(before, after), 60)
+        self.assertGreater(after[0], after[2] + 60)  # orange
 
     def test_a_point_of_the_plot_shows_its_design(self):
         x, y = self.browser.run("const point = Chart.getChart('trade-off').getDatasetMeta(0).data[1];"

@@ -1,4 +1,4 @@
-// Where strands, cables and marks come nearest to each other.
+// Where strands, cables and marks come nearest to each other, and where rods cross.
 import { pointAt, sizeOf } from './data.js';
 import { markedIndex, onChange, seenDesign } from './page.js';
 import { cableInWords, placeInWords } from './words.js';
@@ -11,12 +11,19 @@ export function pairInWords(design, pair) {
     ...pair.places.map((place) => placeInWords(design, place.rod, place.s))].join(' and ');
 }
 
+// Of what is chosen, or under the pointer.
+function markedPlaces(design) {
+  const pair = design.closest[markedIndex('closest')];
+  if (pair) return pair.places;
+  const crossing = design.crossings[markedIndex('crossing')];
+  return crossing ? [crossing.over, crossing.under] : [];
+}
+
 function showClosest() {
   const design = seenDesign();
-  const pair = design.closest[markedIndex('closest')];
-  if (!pair) return showGroup('closest', []);
+  const places = markedPlaces(design);
   const size = sizeOf(design);
-  const points = pair.places.map((place) => vector(pointAt(design.rods[place.rod], place.s)));
+  const points = places.map((place) => vector(pointAt(design.rods[place.rod], place.s)));
   const balls = points.map((point) => {
     const ball = new THREE.Mesh(new THREE.SphereBufferGeometry(size / 70, 20, 14),
       new THREE.MeshBasicMaterial({ color: nearColour, transparent: true, opacity: 0.75,

@@ -7,6 +7,7 @@ function prepared({ file, drawn }, index) {
     index,
     axes: drawn.axes,
     closest: drawn.closest,
+    crossings: drawn.crossings,
     modes: drawn.modes,
     check: file.check && file.check.lines ? file.check : undefined,
     anchors: file.anchors || [],

@@ -6,7 +6,7 @@ export const page = {
   over: -1, // another one laid over it; -1: none
   unit: ['mm', 'cm', 'm'].includes(designs[firstDesign].length_unit)
     ? designs[firstDesign].length_unit : 'mm',
-  chosen: null, // {cable} or {closest}, an index, kept until something else is chosen
+  chosen: null, // {cable}, {closest} or {crossing}, an index, kept until something else is chosen
   hovered: null, // the same, under the pointer
   colour: 'plain', // of rods: plain, or a vertex field
   targets: true,
@@ -34,7 +34,7 @@ export const seenDesign = () => designs[page.design];
 export const see = (index) => change({ design: index, over: page.over === index ? -1 : page.over,
   chosen: null, hovered: null, mode: -1 });
 
-// What is to be set off: under the pointer, else what was chosen. `kind`: cable or closest.
+// What is to be set off: under the pointer, else what was chosen. `kind`: cable, closest or crossing.
 export const markedIndex = (kind) => (page.hovered || page.chosen || {})[kind] ?? -1;
 
 export const byId = (id) => document.getElementById(id);

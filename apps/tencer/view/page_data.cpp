@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <tencer/certify/closest.hpp>
+#include <tencer/fabricate/crossings.hpp>
 #include <tencer/io/design.hpp>
 #include <tencer/model/material.hpp>
 #include <tencer/model/units.hpp>
@@ -119,14 +120,35 @@ Json modes_json(const model::Design& design) {
   return {{"hertz", hertz}, {"shapes", shapes}};
 }
 
-Json axes_json(const model::Design& design) {
+// Rods over rods as seen from the front, from the first rod's start on.
+Json crossings_json(const model::Design& design, const Eigen::Matrix3d& axes) {
+  std::vector<geometry::Polyline> curves;
+  for (std::size_t r = 0; r < design.pose.size(); ++r)
+    curves.push_back(model::pose_curve(design, r));
+  const auto along = model::arc_lengths(design.structure);
+  const auto place = [&](const geometry::EdgePoint& at) {
+    const Eigen::VectorXd& knots = along[at.rod].knots();
+    return Json{{"rod", at.rod},
+                {"s", seen((1 - at.t) * knots[at.edge] + at.t * knots[at.edge + 1])}};
+  };
+  Json crossings = Json::array();
+  for (const fabricate::Crossing& one : fabricate::crossings(curves, axes))
+    crossings.push_back(
+        {{"over", place(one.over)}, {"under", place(one.under)}, {"height", seen(one.height)}});
+  return crossings;
+}
+
+Eigen::Matrix3d axes_of(const model::Design& design) {
   std::vector<double> all;
   for (const auto& pose : design.pose)
     all.insert(all.end(), pose.reshaped().begin(), pose.reshaped().end());
   const auto anchors = design.structure.anchors.reshaped();
   all.insert(all.end(), anchors.begin(), anchors.end());
-  const Eigen::Matrix3d axes = principal_axes(
+  return principal_axes(
       Eigen::Map<const Eigen::Matrix3Xd>(all.data(), 3, static_cast<Eigen::Index>(all.size()) / 3));
+}
+
+Json axes_json(const Eigen::Matrix3d& axes) {
   Json rows = Json::array();
   for (const auto& row : axes.rowwise()) rows.push_back({row[0], row[1], row[2]});
   return rows;
@@ -148,9 +170,11 @@ std::string page_data(const PageDesign& shown) {
   const auto fields = model::vertex_fields(design);
   Json rods = Json::array();
   for (std::size_t r = 0; r < fields.size(); ++r) rods.push_back(rod_json(design, r, fields[r]));
-  const Json drawn{{"axes", axes_json(design)},
+  const Eigen::Matrix3d axes = axes_of(design);
+  const Json drawn{{"axes", axes_json(axes)},
                    {"rods", rods},
                    {"closest", closest_json(design)},
+                   {"crossings", crossings_json(design, axes)},
                    {"modes", modes_json(design)}};
   return Json{{"file", file_json(shown)}, {"drawn", drawn}}.dump();
 }

@@ -22,6 +22,8 @@ struct PageDesign {
 //            null where it is not known), and its vertex fields
 //   closest  where strands, cables and marks come nearest, nearest first: "kind", "distance", and
 //            the places: "rods" with "s", and "cables"
+//   crossings  of rods, as seen along the axes: "over" and "under", each a rod and s, and the
+//            "height" between them
 //   modes    the lowest vibrations: "hertz" and, per rod and vertex, the "shape"
 std::string page_data(const PageDesign& shown);
 

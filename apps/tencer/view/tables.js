@@ -5,10 +5,11 @@ import { pairInWords } from './closest.js';
 import { fillTable, makeChoosable, tableSection } from './table.js';
 import { saveCsv } from './save.js';
 import { forceText, lengthText, massText, pointText, smallLength, unitOf } from './units.js';
-import { anchorName, endName, rodInWords, rodName } from './words.js';
+import { anchorName, endName, placeInWords, rodInWords, rodName } from './words.js';
 
 let cableRows = [];
 let closestRows = [];
+let crossingRows = [];
 
 function cutList(design) {
   const titles = ['cable', `length ${unitOf(design)}`, 'from', 'to', `tension ${design.force_unit}`, ''];
@@ -76,18 +77,43 @@ function supportRows(design) {
   ];
 }
 
+// Rows of places that a click shows; `kind` is what is chosen then.
+function placesSection(kind, ...table) {
+  const section = tableSection(...table);
+  section.id = kind;
+  const rows = [...section.querySelectorAll('tbody tr')];
+  makeChoosable(rows, (i) => change({ hovered: null,
+    chosen: page.chosen && page.chosen[kind] === i ? null : { [kind]: i } }));
+  return { section, rows };
+}
+
+function closestSection(design) {
+  return placesSection('closest', 'What comes nearest', ['', 'distance', 'where'],
+    design.closest.map((pair) => [pair.kind, pair.distance === null ? 'not known'
+      : smallLength(design, pair.distance) + (pair.distance < 0 ? ': overlap' : ''),
+      pairInWords(design, pair)]), [0, 2], 'Between surfaces. A click shows where it is.');
+}
+
+function crossingSection(design) {
+  const words = ({ rod, s }) => placeInWords(design, rod, s);
+  return placesSection('crossing', 'Crossings', ['over', 'under', 'apart'],
+    design.crossings.map(({ over, under, height }) =>
+      [words(over), words(under), smallLength(design, height)]), [0, 1],
+    'As seen from the front, between centre lines. A click shows where it is.');
+}
+
 function showMore() {
   const design = seenDesign();
   const more = [];
+  closestRows = crossingRows = [];
   if (design.closest.length) {
-    const section = tableSection('What comes nearest', ['', 'distance', 'where'],
-      design.closest.map((pair) => [pair.kind, pair.distance === null ? 'not known'
-        : smallLength(design, pair.distance) + (pair.distance < 0 ? ': overlap' : ''),
-        pairInWords(design, pair)]), [0, 2], 'Between surfaces. A click shows where it is.');
-    section.id = 'closest';
-    closestRows = [...section.querySelectorAll('tbody tr')];
-    makeChoosable(closestRows, (i) => change({ hovered: null,
-      chosen: page.chosen && page.chosen.closest === i ? null : { closest: i } }));
+    const { section, rows } = closestSection(design);
+    closestRows = rows;
+    more.push(section);
+  }
+  if (design.crossings.length) {
+    const { section, rows } = crossingSection(design);
+    crossingRows = rows;
     more.push(section);
   }
   more.push(rodSection(design));
@@ -105,6 +131,7 @@ function markRows() {
   });
   mark(cableRows, 'cable');
   mark(closestRows, 'closest');
+  mark(crossingRows, 'crossing');
 }
 
 export function scrollToCable(i) {
@@ -113,7 +140,6 @@ export function scrollToCable(i) {
 
 function showTables() {
   const design = seenDesign();
-  closestRows = [];
   showCutList();
   showMarks();
   showMore();
