@@ -106,6 +106,7 @@ core::Expected<ExitCode> run_design(const DesignRequest& request, const Console&
   if (const auto error = write_pictures(request.pictures, found->asked)) return *error;
 
   activity.end();
+  if (const auto old = old_sheet(folder)) console.log()(core::Level::warning, *old);
   if (request.json)
     std::cout << io::summary_text(found->asked,
                                   {{"folder", folder.string()}, {"seconds", activity.seconds()}},

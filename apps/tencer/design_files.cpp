@@ -170,6 +170,14 @@ std::optional<core::Error> write_design_files(const std::filesystem::path& folde
   return remove_stale(folder, files);
 }
 
+std::optional<std::string> old_sheet(const fs::path& folder) {
+  std::error_code ignored;
+  const fs::path sheet = folder / "sheet" / "sheet.pdf";
+  if (!fs::exists(sheet, ignored)) return std::nullopt;
+  return sheet.string() + " is of an earlier run: make it anew with tencer fabricate " +
+         (folder / "design.json").string();
+}
+
 std::optional<core::Error> write_pictures(std::span<const std::filesystem::path> pictures,
                                           const model::Design& design) {
   for (const auto& path : pictures)

@@ -22,6 +22,10 @@ std::optional<core::Error> result_problem(const std::filesystem::path& folder,
 std::optional<core::Error> write_design_files(const std::filesystem::path& folder,
                                               const model::Design& design);
 
+// That the folder holds a sheet (tencer fabricate), which a design written just now cannot be of,
+// and how to make it anew; not set: it does not.
+std::optional<std::string> old_sheet(const std::filesystem::path& folder);
+
 // Pictures of the design, each of the format of its ending (drawing/picture.hpp), which is one of
 // those that there are.
 std::optional<core::Error> write_pictures(std::span<const std::filesystem::path> pictures,

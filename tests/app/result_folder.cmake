@@ -29,6 +29,14 @@ run_tencer(design straight.xyz -o out --quiet)
 expect_status(0)
 expect_files(out ${files} notes.txt cables-7/notes.txt)
 
+# A sheet is somebody's work at a bench: it stays, and is said to be old.
+file(WRITE ${WORK}/out/sheet/sheet.pdf "%PDF\n")
+run_tencer(design straight.xyz -o out --quiet)
+expect_status(0)
+expect_contains("${err}" "warning: out/sheet/sheet.pdf is of an earlier run: make it anew with")
+expect_files(out ${files} notes.txt cables-7/notes.txt sheet/sheet.pdf)
+file(REMOVE_RECURSE ${WORK}/out/sheet)
+
 # Another's design is kept, also by a dry run, unless --force is given.
 foreach(how "" --dry-run)
   refused("out: holds the design of 'straight', not of 'other'" "--force"

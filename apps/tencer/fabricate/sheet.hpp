@@ -65,7 +65,7 @@ void add_supports(Book& book, const Sheet& sheet);
 void add_purchase(Book& book, const Sheet& sheet);
 void add_labels(Book& book, const Sheet& sheet);
 
-// rods.csv, marks.csv, cables.csv, anchors.csv
+// rods.csv, marks.csv, cables.csv, anchors.csv, pieces.csv
 std::vector<io::NamedText> sheet_tables(const Sheet& sheet);
 
 }  // namespace tencer::app

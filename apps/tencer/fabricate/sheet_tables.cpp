@@ -80,13 +80,37 @@ std::string anchors_table(const Sheet& sheet) {
   return table({"design", "anchor", "x_mm", "y_mm", "z_mm"}, rows);
 }
 
+// Rows of the pieces of rods or cables, bar by bar; without bars, one after the other.
+void add_pieces(const Sheet& sheet, const fabricate::Purchase& purchase,
+                const std::string& material, std::string (*name)(int), std::vector<CsvRow>& rows) {
+  const auto add = [&](int p, const std::string& bar) {
+    const fabricate::Piece& piece = purchase.pieces[p];
+    rows.push_back(
+        {sheet.title, material, bar, name(piece.of), to_text(piece.from), to_text(piece.length)});
+  };
+  if (!purchase.packing) {
+    for (std::size_t p = 0; p < purchase.pieces.size(); ++p) add(static_cast<int>(p), "");
+    return;
+  }
+  for (std::size_t b = 0; b < purchase.packing->bars.size(); ++b)
+    for (const int p : purchase.packing->bars[b]) add(p, std::to_string(b + 1));
+}
+
+std::string pieces_table(const Sheet& sheet) {
+  std::vector<CsvRow> rows;
+  add_pieces(sheet, sheet.rods, "rod", rod_name, rows);
+  add_pieces(sheet, sheet.cables, "cable", cable_name, rows);
+  return table({"design", "material", "bar_or_coil", "of", "from_mm", "cut_mm"}, rows);
+}
+
 }  // namespace
 
 std::vector<io::NamedText> sheet_tables(const Sheet& sheet) {
   return {{"rods.csv", rods_table(sheet)},
           {"marks.csv", marks_table(sheet)},
           {"cables.csv", cables_table(sheet)},
-          {"anchors.csv", anchors_table(sheet)}};
+          {"anchors.csv", anchors_table(sheet)},
+          {"pieces.csv", pieces_table(sheet)}};
 }
 
 }  // namespace tencer::app
