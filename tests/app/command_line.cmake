@@ -46,6 +46,25 @@ foreach(shell zsh fish)
   endif()
 endforeach()
 
+# fish offers these words, and no other, where it is installed.
+function(fish_completes line)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env HOME=${WORK} ${fish} --no-config -c
+      "source tencer.fish; complete -C '${line}' | string replace -r '\t.*' ''; or true"
+    WORKING_DIRECTORY ${WORK} RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  list(JOIN ARGN "\n" expected)
+  if(NOT status EQUAL 0 OR NOT out STREQUAL "${expected}\n" OR NOT err STREQUAL "")
+    message(SEND_ERROR "fish completes '${line}' by: ${out}${err}")
+  endif()
+endfunction()
+if(fish)
+  fish_completes("tencer des" design)
+  fish_completes("tencer target trefoil-2" trefoil-2-3)
+  fish_completes("tencer design --optimizer " ccsaq gauss-newton ipopt mma)
+  fish_completes("tencer design curve.obj --quie" --quiet)
+  fish_completes("tencer picture --view t" top)
+  fish_completes("tencer completion " bash fish zsh)
+endif()
+
 # Every option of every command is in the manual.
 run_tencer(manual)
 expect_status(0)

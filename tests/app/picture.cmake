@@ -40,5 +40,5 @@ refused("ring.jpg" "let the name end with .svg, .pdf or .png" picture ring/desig
 refused("ring.jpg" "let the name end with .svg, .pdf or .png"
   design ellipse.obj -o other --picture ring.jpg)
 refused("none/ring.svg" "there is no folder" design ellipse.obj -o other --picture none/ring.svg)
-refused("picture: --view" "did you mean front?" picture ring/design.json -o a.svg --view frnt)
+refused("--view" "did you mean front?" picture ring/design.json -o a.svg --view frnt)
 refused("there-is-none.json" "" picture there-is-none.json -o a.svg)

@@ -39,7 +39,7 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
       {ring + "parameters = {}\n", "s.toml:3: rod[0].parameters: belongs to family only"},
       {ring + "radius = 1\n",
        "s.toml:3: unknown key rod[0].radius; known here: curve, index, family, parameters, "
-       "spline, vertices, closed, section, material, director, rest, closing_turns"},
+       "spline, vertices, smooth, closed, section, material, director, rest, closing_turns"},
       {"[[rod]]\ncurve = 'none.obj'\n", "s.toml:2: rod[0].curve: there is no file none.obj"},
       {"[[rod]]\ncurve = 'spoilt.obj'\n", "spoilt.obj:2: 'x' is not a number"},
       {ring + "index = 1\n", "s.toml:3: rod[0].index: there is no curve 1; use 0"},

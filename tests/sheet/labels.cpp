@@ -43,16 +43,19 @@ TEST_CASE("Leaders cross neither each other nor words") {
   Labels labels(bounds, {});
   const Vector2d size(4, 3);
   std::vector<Placed> placed;
-  // Places so near to each other that all words must go somewhere else.
-  for (int i = 0; i < 20; ++i)
-    placed.push_back(labels.place({{35 + 0.5 * i, 40}, {40, 35 + 0.5 * i}}, size, Beside::leader));
+  // Places so near to each other that all words must go somewhere else; those for which there is no
+  // room are not drawn.
+  for (int i = 0; i < 20; ++i) {
+    const Placed one = labels.place({{35 + 0.5 * i, 40}, {40, 35 + 0.5 * i}}, size, Beside::leader);
+    if (one.clear) placed.push_back(one);
+  }
+  CHECK(placed.size() >= 6);
   const auto box_of = [&](const Placed& one) {
     return AlignedBox2d(one.middle - size / 2, one.middle + size / 2);
   };
-  int away = 0;
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const Vector2d end = edge_towards(box_of(placed[i]), placed[i].anchor);
-    away += (end - placed[i].anchor).norm() > 1 ? 1 : 0;
+    CHECK((end - placed[i].anchor).norm() > 1);
     for (std::size_t j = 0; j < placed.size(); ++j) {
       if (i == j) continue;
       // A tenth of the way at a time, but for the shared start of two at one place.
@@ -61,5 +64,4 @@ TEST_CASE("Leaders cross neither each other nor words") {
             Vector2d(placed[i].anchor + 0.1 * k * (end - placed[i].anchor))));
     }
   }
-  CHECK(away == 20);
 }

@@ -74,7 +74,7 @@ std::string manual_page(const CommandEntry& program, const std::string& version)
   std::string text = ".TH TENCER 1 \"\" \"" + version + "\" \"User Commands\"\n";
   text += ".SH NAME\ntencer \\- networks of cables that hold bent elastic rods in a shape\n";
   text += ".SH SYNOPSIS\n" + usage(program);
-  text += ".SH DESCRIPTION\n" + plain(program.help) + '\n' + laid_out(program.footer);
+  text += ".SH DESCRIPTION\n" + plain(program.help) + "\n.PP\n" + laid_out(program.footer);
   text += ".SH OPTIONS\nThese go with every command.\n" + entries(program);
   text += ".SH COMMANDS\n";
   for (const CommandEntry& command : program.commands) text += sections(command);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <tencer/core/error.hpp>
 #include <tencer/geometry/rounding.hpp>
 #include <tencer/geometry/sampling.hpp>
@@ -94,9 +95,10 @@ class Rounding {
       const Vector3d a = edges_.col(before);
       const Vector3d b = edges_.col(v);
       const double turn = std::atan2(a.cross(b).norm(), a.dot(b));
-      const double along = (a.norm() + b.norm()) / 2;
+      // Of the edges, the part in which a curve would turn: about half of each, of a long one less.
+      const double along = std::min(a.norm() + b.norm(), 3 * std::min(a.norm(), b.norm())) / 2;
       const bool corner = std::ranges::find(sharp, v, &Corner::vertex) != sharp.end();
-      if (!corner && turn * slack * radius_ <= along) continue;
+      if (!corner && 2 * std::tan(turn / 2) * slack * radius_ <= along) continue;
       const double s = arc_.knots()[v];
       const Stretch one{
           .from = s, .to = s, .sharpest = {.vertex = v, .s = s, .angle = turn}, .turn = turn};
@@ -142,6 +144,9 @@ class Rounding {
     constexpr double first = 0.05;  // of the radius
     constexpr double growth = 1.02;
     constexpr double enough = 0.99;
+    // One bend goes round no further than this.
+    constexpr double farthest = 0.95 * std::numbers::pi;
+    if (stretch.sharpest.angle > farthest) return false;
     for (double reach = first * radius_;; reach *= growth) {
       stretch.before = stretch.from - reach;
       stretch.after = stretch.to + reach;
