@@ -1,7 +1,6 @@
 #include "drawing/layout.hpp"
 
 #include <algorithm>
-#include <array>
 #include <sstream>
 #include <tencer/core/error.hpp>
 #include <tencer/core/words.hpp>
@@ -23,13 +22,6 @@ constexpr double scale_bar = 9;     // and its length below it
 constexpr double narrowest = 80;
 constexpr Font caption_font{3.2};
 constexpr double caption_line = 1.4 * caption_font.size;
-
-constexpr std::array<std::pair<std::string_view, View>, 4> named{
-    {{"front", View::front}, {"side", View::side}, {"top", View::top}, {"oblique", View::oblique}}};
-
-std::string_view name_of(View view) {
-  return std::ranges::find(named, view, &std::pair<std::string_view, View>::second)->first;
-}
 
 Eigen::Matrix3d axes_of(View view, const Eigen::Matrix3Xd& points) {
   const Eigen::Matrix3d front = principal_axes(points);
@@ -62,17 +54,6 @@ std::vector<std::string> lines_of(const std::string& words, double room) {
 }
 
 }  // namespace
-
-std::optional<View> view_named(std::string_view name) {
-  const auto* one = std::ranges::find(named, name, &std::pair<std::string_view, View>::first);
-  return one == named.end() ? std::nullopt : std::optional(one->second);
-}
-
-std::vector<std::string> view_names() {
-  std::vector<std::string> names;
-  for (const auto& [name, view] : named) names.emplace_back(name);
-  return names;
-}
 
 Layout::Layout(const Solid& solid, const PictureOptions& options) : numbers_(options.numbers) {
   const Eigen::Matrix3Xd points = points_of(solid);
@@ -113,8 +94,8 @@ void Layout::draw_all(Canvas& canvas, const Look& look) const {
     const Spot where = spot(i, y);
     left_out += draw(canvas, seen_[i], where, look);
     if (several())
-      canvas.text(where.middle.x(), y + heights_[i / columns()] - 2,
-                  std::string(name_of(views_[i])), {3, false, soft_ink, Align::centre});
+      canvas.text(where.middle.x(), y + heights_[i / columns()] - 2, name_of(views_[i]),
+                  {3, false, soft_ink, Align::centre});
     if (i % columns() + 1 == columns() || i + 1 == seen_.size()) y += heights_[i / columns()];
   }
   draw_scale_bar(canvas, size_.x() - margin, y + 3, scale_, false);

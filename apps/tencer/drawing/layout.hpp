@@ -2,26 +2,13 @@
 // and the caption.
 #pragma once
 
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "drawing/drawing.hpp"
+#include "drawing/picture_options.hpp"
 
 namespace tencer::app {
-
-// The sides of a structure: the front shows most of it, see axes.hpp.
-enum class View { front, side, top, oblique };
-
-std::optional<View> view_named(std::string_view name);
-std::vector<std::string> view_names();
-
-struct PictureOptions {
-  std::vector<View> views{};  // none: oblique, or the front of what is flat
-  std::string caption{};
-  bool numbers = true;  // of cables
-};
 
 class Layout {
  public:

@@ -8,6 +8,8 @@
 #include <tencer/core/words.hpp>
 #include <tencer/model/units.hpp>
 
+#include "drawing/layout.hpp"
+
 namespace tencer::app {
 namespace {
 

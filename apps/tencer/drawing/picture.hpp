@@ -7,7 +7,7 @@
 #include <tencer/core/error.hpp>
 #include <tencer/model/design.hpp>
 
-#include "drawing/layout.hpp"
+#include "drawing/picture_options.hpp"
 
 namespace tencer::app {
 
