@@ -215,7 +215,7 @@ class Rounding {
       const auto first = std::ranges::min_element(points, {}, [&](const Vector3d& point) {
         return (point - curve_.points.col(0)).squaredNorm();
       });
-      std::ranges::rotate(points, first);
+      std::rotate(points.begin(), first, points.end());
     }
     Polyline result{Eigen::Matrix3Xd(3, static_cast<Eigen::Index>(points.size())), curve_.closed};
     for (std::size_t i = 0; i < points.size(); ++i)
