@@ -19,15 +19,20 @@ TEST_CASE("Rods are cut to their length and the joint, and marked from their sta
   CHECK(ring.cut == Approx(830));
   CHECK(ring.radius == Approx(2));
   REQUIRE(ring.marks.size() == 3);
-  CHECK(ring.marks[0].s == Approx(150));
-  CHECK(ring.marks[0].cable == 0);
-  CHECK(ring.marks[0].end == 1);
-  CHECK(ring.marks[1].s == Approx(550));
-  CHECK(ring.marks[2].s == Approx(780));
-  CHECK(*ring.nearest_mark == Approx(20));  // across the joint
+  // The last mark is 20 from the start: the joint is in the middle between the others.
+  CHECK(ring.joint == Approx(350));
+  CHECK(*ring.nearest_mark == Approx(200));
+  CHECK(ring.marks[0].s == Approx(550));
+  CHECK(ring.marks[1].s == Approx(780));
+  CHECK(ring.from_end(ring.marks[1].s) == Approx(430));
+  CHECK(ring.marks[2].s == Approx(150));
+  CHECK(ring.from_end(ring.marks[2].s) == Approx(600));
+  CHECK(ring.marks[2].cable == 0);
+  CHECK(ring.marks[2].end == 1);
   const RodCut& bar = list.rods[1];
   CHECK(bar.cut == Approx(300));  // an open rod has no joint
   CHECK_FALSE(bar.nearest_mark);
+  CHECK(bar.joint == 0);
   CHECK(bar.marks.back().s == Approx(300));
   CHECK(list.rods_cut() == Approx(1130));
   const double kg_per_mm = std::numbers::pi * 4e-9 * *model::glass_fibre().density;
@@ -84,7 +89,8 @@ TEST_CASE("Every end on a rod is one of its marks, at the place that the cable s
       CHECK(on.s == Approx(mark.s));
       CHECK(mark.s >= 0);
       CHECK(mark.s <= list.rods[r].length);
-      if (m > 0) CHECK(mark.s >= list.rods[r].marks[m - 1].s);
+      if (m > 0)
+        CHECK(list.rods[r].from_end(mark.s) >= list.rods[r].from_end(list.rods[r].marks[m - 1].s));
     }
   CHECK(marks == 2 * list.cables.size() - 1);  // one is at the anchor
 }

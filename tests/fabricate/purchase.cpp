@@ -44,7 +44,7 @@ TEST_CASE("A rod longer than a bar is spliced, each splice taking a joint") {
   CHECK(overlaps[0].rod == 0);
   CHECK(overlaps[0].from == Approx(470));
   CHECK(overlaps[0].to == Approx(500));
-  CHECK(*overlaps[0].nearest_mark == Approx(50));  // the one at 550
+  CHECK(*overlaps[0].nearest_mark == Approx(40));  // the one 430 from the end
   const auto short_bars = buy_rods(list_with({.joint = 30}), {.stock = 30});
   REQUIRE_FALSE(short_bars);
   CHECK(short_bars.error().text() ==

@@ -19,7 +19,9 @@ std::string joint_words(const fabricate::RodCut& rod, double joint) {
   text += joint > 0 ? ": " + tenths(rod.length) + " mm and " + tenths(joint) +
                           " mm by which its ends overlap (--joint)"
                     : "; its ends meet, in a sleeve (0 mm of overlap; --joint gives another)";
-  text += ". The joint is at the start";
+  text += rod.joint > 0 ? ". The joint is at " + tenths(rod.joint) +
+                              " mm, where marks leave most room: there the piece begins"
+                        : ". The joint is at the start";
   if (!rod.nearest_mark) return text + '.';
   text += "; the nearest mark is " + tenths(*rod.nearest_mark) + " mm from it";
   return text + (*rod.nearest_mark < joint ? ", within the overlap." : ".");
@@ -33,14 +35,23 @@ std::string twist_words(const der::Rod& rod) {
          significant(*rod.closing_angle * 180 / std::numbers::pi) + " degrees.";
 }
 
+// Where the piece does not begin at the start, with the place on it first.
 std::vector<Cells> mark_rows(const Sheet& sheet, const fabricate::RodCut& rod) {
   std::vector<Cells> rows;
   for (const model::Mark& mark : rod.marks) {
     const fabricate::CableCut& cable = sheet.list.cables[mark.cable];
     rows.push_back({tenths(mark.s), core::cable_name(mark.cable), mark.end == 0 ? "from" : "to",
                     fabricate::end_name(mark.end == 0 ? cable.b : cable.a)});
+    if (rod.joint > 0) rows.back().insert(rows.back().begin(), tenths(rod.from_end(mark.s)));
   }
   return rows;
+}
+
+void add_marks(Book& book, const Sheet& sheet, const fabricate::RodCut& rod) {
+  std::vector<Column> columns{
+      {"s mm"}, {"cable", Align::right, true}, {"end", Align::left}, {"goes to", Align::left}};
+  if (rod.joint > 0) columns.insert(columns.begin(), {"from the end mm"});
+  book.table(columns, mark_rows(sheet, rod));
 }
 
 std::string pair_words(const fabricate::ThreadedPair& pair) {
@@ -98,9 +109,7 @@ void add_rods(Book& book, const Sheet& sheet) {
     if (rod.marks.empty())
       book.paragraph("No cable is tied to it.");
     else
-      book.table(
-          {{"s mm"}, {"cable", Align::right, true}, {"end", Align::left}, {"goes to", Align::left}},
-          mark_rows(sheet, rod));
+      add_marks(book, sheet, rod);
   }
 }
 

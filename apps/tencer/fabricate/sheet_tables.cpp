@@ -29,20 +29,24 @@ std::string rods_table(const Sheet& sheet) {
     const fabricate::RodCut& rod = sheet.list.rods[r];
     rows.push_back({sheet.title, rod_name(static_cast<int>(r)), rod.closed ? "true" : "false",
                     to_text(rod.length), to_text(rod.cut), to_text(rod.radius),
-                    optional_number(rod.mass), optional_number(rod.nearest_mark)});
+                    optional_number(rod.mass), to_text(rod.joint),
+                    optional_number(rod.nearest_mark)});
   }
   return table({"design", "rod", "closed", "length_mm", "cut_mm", "outer_radius_mm", "mass_kg",
-                "nearest_mark_to_joint_mm"},
+                "joint_s_mm", "nearest_mark_to_joint_mm"},
                rows);
 }
 
 std::string marks_table(const Sheet& sheet) {
   std::vector<CsvRow> rows;
-  for (std::size_t r = 0; r < sheet.list.rods.size(); ++r)
-    for (const model::Mark& mark : sheet.list.rods[r].marks)
+  for (std::size_t r = 0; r < sheet.list.rods.size(); ++r) {
+    const fabricate::RodCut& rod = sheet.list.rods[r];
+    for (const model::Mark& mark : rod.marks)
       rows.push_back({sheet.title, rod_name(static_cast<int>(r)), to_text(mark.s),
-                      cable_name(mark.cable), mark.end == 0 ? "from" : "to"});
-  return table({"design", "rod", "s_mm", "cable", "end"}, rows);
+                      to_text(rod.from_end(mark.s)), cable_name(mark.cable),
+                      mark.end == 0 ? "from" : "to"});
+  }
+  return table({"design", "rod", "s_mm", "from_end_mm", "cable", "end"}, rows);
 }
 
 // The rod or anchor, and the place on the rod.

@@ -31,7 +31,7 @@ struct Part {
 
 // Marks of several cables at one place, "3, 7".
 struct Place {
-  double s = 0.0;
+  double at = 0.0;  // from the end of the rod
   std::string words{};
 };
 
@@ -40,10 +40,11 @@ std::vector<Place> places_of(const RodCut& rod) {
   std::vector<Place> places;
   for (const model::Mark& mark : rod.marks) {
     const std::string name = core::cable_name(mark.cable);
-    if (!places.empty() && mark.s - places.back().s < same)
+    const double at = rod.from_end(mark.s);
+    if (!places.empty() && at - places.back().at < same)
       places.back().words += ", " + name;
     else
-      places.push_back({mark.s, name});
+      places.push_back({at, name});
   }
   return places;
 }
@@ -67,8 +68,8 @@ void draw_marks(Canvas& canvas, const Part& part, const std::vector<Place>& plac
   std::array<double, number_lines> free_from{};
   free_from.fill(part.x);
   for (const Place& place : places) {
-    if (place.s < part.from || place.s > part.to) continue;
-    const double x = part.on_paper(place.s);
+    if (place.at < part.from || place.at > part.to) continue;
+    const double x = part.on_paper(place.at);
     canvas.line(x, part.y, x, part.y + height, {accent, 0.18});
     // The first line on which there is room, else the one that is free soonest.
     auto line = std::ranges::find_if(free_from, [&](double free) { return free <= x; });
@@ -137,8 +138,9 @@ void add_strips(Book& book, const fabricate::CutList& list) {
       "Cut the strips out and glue each one over "
       "the "
       "hatched end of the one before, its left edge on the dashed line; lay them along the rod "
-      "from its start and copy the marks. The numbers are those of the cables; the small ones are "
-      "mm from the start.");
+      "from the end that it begins with, its start or its joint, and copy the marks. The numbers "
+      "are "
+      "those of the cables; the small ones are mm from that end.");
   bool ruled = false;
   for (std::size_t r = 0; r < list.rods.size(); ++r) {
     const RodCut& rod = list.rods[r];

@@ -19,17 +19,45 @@ double radius_at(const springs::End& end, const std::vector<RodCut>& rods) {
   return on ? rods[on->rod].radius : 0.0;
 }
 
+double distance_to_joint(const model::Mark& mark, const RodCut& rod) {
+  const double from_end = rod.from_end(mark.s);
+  return std::min(from_end, rod.length - from_end);
+}
+
+double nearest_to_joint(const RodCut& rod) {
+  double nearest = rod.length;
+  for (const model::Mark& mark : rod.marks)
+    nearest = std::min(nearest, distance_to_joint(mark, rod));
+  return nearest;
+}
+
+// Of a closed rod with marks, which are in order from its start.
+void find_joint(double overlap, RodCut& rod) {
+  constexpr double sleeve = 30;
+  rod.nearest_mark = nearest_to_joint(rod);
+  if (*rod.nearest_mark >= std::max(sleeve, overlap)) return;
+  double widest = 0;
+  for (std::size_t i = 0; i < rod.marks.size(); ++i) {
+    const bool last = i + 1 == rod.marks.size();
+    const double next = last ? rod.marks.front().s + rod.length : rod.marks[i + 1].s;
+    const double gap = next - rod.marks[i].s;
+    if (gap <= widest) continue;
+    widest = gap;
+    rod.joint = std::fmod(rod.marks[i].s + gap / 2, rod.length);
+  }
+  rod.nearest_mark = nearest_to_joint(rod);
+  std::ranges::stable_sort(rod.marks, {},
+                           [&](const model::Mark& mark) { return rod.from_end(mark.s); });
+}
+
 RodCut rod_cut(const model::Design& design, std::size_t r, std::vector<model::Mark> marks,
                double joint) {
   const der::Rod& rod = design.structure.rods[r];
   const double mm = 1000 * model::metres(design.length_unit);
   RodCut cut{.closed = rod.closed, .length = rod.length() * mm, .marks = std::move(marks)};
   cut.cut = cut.length + (rod.closed ? joint : 0.0);
-  for (model::Mark& mark : cut.marks) {
-    mark.s *= mm;
-    const double from_joint = std::min(mark.s, cut.length - mark.s);
-    if (rod.closed) cut.nearest_mark = std::min(cut.nearest_mark.value_or(from_joint), from_joint);
-  }
+  for (model::Mark& mark : cut.marks) mark.s *= mm;
+  if (rod.closed && !cut.marks.empty()) find_joint(joint, cut);
   if (!design.structure.materials.empty())
     if (const auto per_metre = model::mass_per_length(design.structure.materials[r],
                                                       rod.section.shape, design.length_unit))

@@ -62,7 +62,8 @@ std::vector<Splice> splices(const CutList& list, const Purchase& rods) {
     if (piece.from == 0) continue;
     Splice splice{piece.of, piece.from, piece.from + list.allowances.joint};
     for (const model::Mark& mark : list.rods[piece.of].marks) {
-      const double apart = std::abs(mark.s - std::clamp(mark.s, splice.from, splice.to));
+      const double at = list.rods[piece.of].from_end(mark.s);
+      const double apart = std::abs(at - std::clamp(at, splice.from, splice.to));
       splice.nearest_mark = std::min(splice.nearest_mark.value_or(apart), apart);
     }
     result.push_back(splice);

@@ -19,16 +19,21 @@ struct Allowances {
   double knot = 60.0;
 };
 
-// Marks and lengths are along the centre line at rest, from the rod's start: vertex 0 of the
-// design. The joint of a closed rod is there.
+// Marks are along the centre line at rest, from the rod's start: vertex 0 of the design. A closed
+// rod is joined there, unless a mark is nearer to it than 30 mm or the overlap: then in the middle
+// between the two marks, one after the other, that are farthest apart.
 struct RodCut {
   bool closed = false;
   double length = 0.0;
   double cut = 0.0;  // length, and on a closed rod the joint
   double radius = 0.0;
-  std::vector<model::Mark> marks{};      // along the rod
+  double joint = 0.0;                    // along the rod; 0 of an open one
+  std::vector<model::Mark> marks{};      // from the joint on
   std::optional<double> nearest_mark{};  // from the joint, either way round; not set: no joint
   std::optional<double> mass{};          // of the piece; not set: not known
+
+  // How far from the end of the piece, which begins at the joint, a place along the rod is.
+  double from_end(double s) const { return s < joint ? s - joint + length : s - joint; }
 };
 
 struct CableCut {

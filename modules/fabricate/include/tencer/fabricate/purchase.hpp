@@ -17,7 +17,7 @@ struct Offer {
 // A bar's worth of a rod or a whole cable.
 struct Piece {
   int of = 0;         // the rod or cable
-  double from = 0.0;  // where along the rod it begins
+  double from = 0.0;  // where it begins, from the end of what the rod is cut to
   double length = 0.0;
 };
 
@@ -35,7 +35,7 @@ core::Expected<Purchase> buy_rods(const CutList& list, const Offer& offer);
 // Cables are not spliced: errors name a cable that is longer than a coil.
 core::Expected<Purchase> buy_cables(const CutList& list, const Offer& offer);
 
-// Where a rod's pieces overlap each other, from `from` to `to` along it.
+// Where a rod's pieces overlap each other, from `from` to `to` from the end of what it is cut to.
 struct Splice {
   int rod = 0;
   double from = 0.0;
