@@ -59,6 +59,10 @@ class Page(unittest.TestCase):
         for name in ("#show-target", "#show-labels"):
             self.browser.click(name)
 
+    def slide(self, value):
+        self.browser.run(f"const slider = document.getElementById('number'); slider.value = {value};"
+                         "slider.dispatchEvent(new Event('input'))")
+
     def test_head_says_what_is_so(self):
         facts = dict(zip(self.browser.texts("#facts dt"), self.browser.texts("#facts dd")))
         self.assertEqual(facts["cables"], "2")
@@ -137,6 +141,13 @@ class Page(unittest.TestCase):
         self.browser.click("#designs-table tbody tr:last-child")
         self.assertEqual(self.browser.texts("#facts dd")[0], "5")
         self.face_on()
+        self.slide(0)
+        self.assertEqual(self.browser.texts("#facts dd")[0], "2")
+        across = [(x / 40, y / 40) for x in range(10, 31) for y in range(12, 30)]
+        few = self.browser.colours(*across)
+        self.slide(2)
+        self.assertEqual(self.browser.texts("#facts dd")[0], "5")
+        self.assertNotEqual(self.browser.colours(*across), few)
         before, = self.browser.colours(TOP)
         self.browser.choose("#over", "0")
         after, = self.browser.colours(TOP)

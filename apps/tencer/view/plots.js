@@ -128,6 +128,10 @@ function showPickers() {
   byId('design').replaceChildren(...options([]));
   byId('over').replaceChildren(...options([new Option('nothing', '-1')]));
   byId('design').value = String(page.design);
+  const number = byId('number');
+  number.max = String(byCables.length - 1);
+  number.value = String(byCables.indexOf(page.design));
+  number.setAttribute('aria-valuetext', designInWords(seenDesign()));
   byId('over').value = String(page.over);
 }
 
@@ -135,6 +139,7 @@ export function startPlots() {
   const several = designs.length > 1;
   byId('designs-box').hidden = byId('pickers').hidden = !several;
   if (several) {
+    byId('number').oninput = (event) => see(byCables[Number(event.target.value)]);
     byId('design').onchange = (event) => see(Number(event.target.value));
     byId('over').onchange = (event) => change({ over: Number(event.target.value) });
     onChange(['design', 'over'], showPickers);
