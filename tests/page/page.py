@@ -172,6 +172,10 @@ class Page(unittest.TestCase):
         self.browser.choose("#mode", "0")
         seen = {str(self.browser.colours(*[(0.5, y / 200) for y in range(4, 30)])) for _ in range(4)}
         self.assertGreater(len(seen), 1)
+        last = self.browser.run("return document.getElementById('mode').options.length - 2")
+        self.browser.choose("#mode", str(last))  # a shove
+        seen = {str(self.browser.colours(*[(0.5, y / 200) for y in range(4, 30)])) for _ in range(4)}
+        self.assertGreater(len(seen), 1)
         self.browser.press(ESCAPE)
         self.assertEqual(self.browser.run("return document.getElementById('mode').value"), "-1")
 
