@@ -1,6 +1,7 @@
-# The install rules: the program, its manual page and completions, its pages and examples, libraries, headers, and a CMake package
-# whose components are the modules. Each module is an export set of its own, so that a consumer loads
-# only the components asked for and finds only the third-party packages these need.
+# The install rules: the program, its manual page and completions, its pages and examples, libraries,
+# headers, pkg-config files, and a CMake package whose components are the modules. Each module is an
+# export set of its own, so that a consumer loads only the components asked for and finds only the
+# third-party packages these need. The Python module is installed by python/CMakeLists.txt.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/tencer)
@@ -28,6 +29,7 @@ install(FILES
   ${PROJECT_BINARY_DIR}/package/tencer-modules.cmake
   DESTINATION ${package_dir})
 install(FILES ${find_modules} DESTINATION ${package_dir}/find)
+include(TencerPkgConfig)
 
 if(TARGET tencer)
   cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_LIBDIR BASE_DIRECTORY ${CMAKE_INSTALL_FULL_BINDIR}
@@ -39,12 +41,15 @@ if(TARGET tencer)
     install(FILES ${told}/tencer.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
     install(FILES ${told}/tencer.bash RENAME tencer
       DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-    install(FILES ${told}/_tencer DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+    # Debian's zsh looks for those of packages in share/zsh/vendor-completions.
+    set(TENCER_ZSH_DIR ${CMAKE_INSTALL_DATADIR}/zsh/site-functions
+      CACHE STRING "Where zsh looks for completions, from the prefix on")
+    install(FILES ${told}/_tencer DESTINATION ${TENCER_ZSH_DIR})
     install(FILES ${told}/tencer.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
   endif()
 endif()
 # The pages name each other and the examples by the places they have in the sources.
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/examples
   DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN make EXCLUDE PATTERN mkdocs.yml EXCLUDE)

@@ -148,10 +148,10 @@ endfunction()
 # Writes `file`, which sets for the modules in `list` (the name of a global property) what other
 # tools need to know of the declarations: tencer_modules, and for each tencer_<NAME>_DEPENDS,
 # tencer_<NAME>_PRIVATE (with the optional ones that are there) and tencer_<NAME>_PACKAGES (package
-# names).
+# names); and tencer_shared, whether they are shared libraries.
 function(tencer_write_manifest list file)
   get_property(modules GLOBAL PROPERTY ${list})
-  set(text "set(tencer_modules ${modules})\n")
+  set(text "set(tencer_modules ${modules})\nset(tencer_shared ${BUILD_SHARED_LIBS})\n")
   foreach(name IN LISTS modules)
     foreach(part DEPENDS PRIVATE OPTIONAL PACKAGES)
       get_property(${part} GLOBAL PROPERTY TENCER_${name}_${part})

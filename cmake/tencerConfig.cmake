@@ -1,6 +1,6 @@
 # find_package(tencer COMPONENTS MODULE...) defines tencer::MODULE for each module named and for
-# those it depends on, and finds the third-party packages of these and no others. Without
-# COMPONENTS, all modules.
+# those it depends on, and finds the third-party packages of these and no others; shared libraries
+# bring theirs along. Without COMPONENTS, all modules.
 include(CMakeFindDependencyMacro)
 include(${CMAKE_CURRENT_LIST_DIR}/tencer-modules.cmake)
 
@@ -34,9 +34,11 @@ list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR}/find)
 find_dependency(Eigen3 3.4 NO_MODULE)
 foreach(tencer_name IN LISTS tencer_modules)
   if(tencer_name IN_LIST tencer_wanted)
-    foreach(tencer_package IN LISTS tencer_${tencer_name}_PACKAGES)
-      find_dependency(${tencer_package})
-    endforeach()
+    if(NOT tencer_shared)
+      foreach(tencer_package IN LISTS tencer_${tencer_name}_PACKAGES)
+        find_dependency(${tencer_package})
+      endforeach()
+    endif()
     include(${CMAKE_CURRENT_LIST_DIR}/tencer-${tencer_name}.cmake)
   endif()
 endforeach()

@@ -30,7 +30,7 @@ def main():
     shutil.rmtree(folder, ignore_errors=True)
     for name in "docs", "examples":
         shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("make", "*.yml"))
-    for name in "README.md", "LICENSE", "fuzz/README.md":
+    for name in "README.md", "CHANGELOG.md", "LICENSE", "fuzz/README.md":
         (folder / name).parent.mkdir(exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
     page = folder / "docs" / "architecture.md"
