@@ -1,5 +1,5 @@
 # A study: a table and a picture a scene, whatever becomes of single runs; what is done is not done
-# again.
+# again, by one machine or many.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/run_tencer.cmake)
 
@@ -33,9 +33,9 @@ if(NOT lines EQUAL 3)
   message(SEND_ERROR "${lines} lines, not 3")
 endif()
 table(all first)
-expect_contains("${first}" "broken,broken.toml,force-balance,gauss-newton,1,failed,")
-expect_contains("${first}" "ring,ring.obj,force-balance,gauss-newton,1,complete,24,")
-expect_contains("${first}" "straight,straight.xyz,force-balance,gauss-newton,1,complete,5,0,0,")
+expect_contains("${first}" "broken,broken.toml,force-balance,gauss-newton,1,,failed,")
+expect_contains("${first}" "ring,ring.obj,force-balance,gauss-newton,1,,complete,24,")
+expect_contains("${first}" "straight,straight.xyz,force-balance,gauss-newton,1,,complete,5,0,0,")
 foreach(file ring.dat ring.gp runs/ring-force-balance-gauss-newton-x1/design.json
     runs/broken-force-balance-gauss-newton-x1.log)
   if(NOT EXISTS ${WORK}/all/${file})
@@ -59,7 +59,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} -E env PATH=/nonexistent
 expect_status(0)
 expect_contains("${err}" "there is no gnuplot (in Debian the package gnuplot-nox)")
 table(bare lines)
-expect_contains("${lines}" "ring,ring.obj,force-balance,gauss-newton,1,complete,24,")
+expect_contains("${lines}" "ring,ring.obj,force-balance,gauss-newton,1,,complete,24,")
 if(EXISTS ${WORK}/bare/ring.svg OR NOT EXISTS ${WORK}/bare/ring.gp)
   message(SEND_ERROR "without gnuplot there is a script and no picture")
 endif()
@@ -79,9 +79,12 @@ if(NOT lines EQUAL 4)
   message(SEND_ERROR "${lines} lines, not 4")
 endif()
 table(all third)
-expect_contains("${third}" "ring,ring.obj,force-balance,gauss-newton,0.5,complete,12,")
-expect_contains("${third}" "${first}")
-file(REMOVE_RECURSE ${WORK}/all/runs)
+expect_contains("${third}" "ring,ring.obj,force-balance,gauss-newton,0.5,,complete,12,")
+string(REGEX MATCHALL "[^\n]+\n" lines "${first}")
+foreach(line IN LISTS lines)
+  expect_contains("${third}" "${line}")
+endforeach()
+file(REMOVE_RECURSE ${WORK}/all/runs/ring-force-balance-gauss-newton-x1)
 run_tencer(study ring.obj -o all --methods force-balance --again --quiet)
 expect_status(0)
 count_lines(all lines)
@@ -93,26 +96,99 @@ endif()
 run_tencer(study ring.obj -o both --optimizers gauss-newton --quiet)
 expect_status(0)
 table(both lines)
-expect_contains("${lines}" "ring,ring.obj,force-balance,gauss-newton,1,complete,")
-expect_contains("${lines}" "ring,ring.obj,dense-springs,gauss-newton,1,complete,")
+expect_contains("${lines}" "ring,ring.obj,force-balance,gauss-newton,1,,complete,")
+expect_contains("${lines}" "ring,ring.obj,dense-springs,gauss-newton,1,,complete,")
 
-# Killed during a run of many seconds: a table with the runs before it, with which a study goes on.
+# Killed during a run of many seconds: what was recorded before it is there to be collected, and the
+# study goes on with it.
 run_tencer(target torus-knot --vertices 301 -o knot.obj)
 execute_process(COMMAND ${TENCER} study straight.xyz knot.obj -o killed --methods force-balance --quiet
   WORKING_DIRECTORY ${WORK} TIMEOUT 6 RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
 expect_contains("${status}" "timeout")
+run_tencer(study -o killed --collect)
+expect_status(0)
 count_lines(killed lines)
 if(NOT lines EQUAL 1)
   message(SEND_ERROR "${lines} lines of the killed study, not 1")
 endif()
 
-# A run that is out of time ends with what it has, and its line says so.
-run_tencer(study straight.xyz knot.obj -o killed --methods force-balance --time-limit 2)
+# A run that is out of time ends with what it has, and its line says so. The run of the killed study
+# is not made again before its process has ended, too.
+foreach(try RANGE 60)
+  run_tencer(study straight.xyz knot.obj -o killed --methods force-balance --time-limit 2)
+  if(NOT err MATCHES "another program is at it")
+    break()
+  endif()
+  execute_process(COMMAND ${CMAKE_COMMAND} -E sleep 1)
+endforeach()
 expect_status(3)
 expect_contains("${err}" "straight, force-balance, gauss-newton, x1: done before")
 table(killed lines)
 expect_contains("${lines}" "knot,knot.obj,force-balance,gauss-newton,1,")
 expect_contains("${lines}" "time limit of 2 s")
+
+# In parts: listed, made one by one in any order, collected; the same as at once.
+set(parts ring.obj straight.xyz -o parts --methods force-balance --max-errors 2,5)
+run_tencer(study ${parts} --list)
+expect_status(0)
+expect_contains("${out}" "1\tring, force-balance, gauss-newton, x1, max error 2 %\tnot made\n")
+expect_contains("${out}" "4\tstraight, force-balance, gauss-newton, x1, max error 5 %\tnot made\n")
+if(EXISTS ${WORK}/parts)
+  message(SEND_ERROR "a list makes a folder")
+endif()
+foreach(number 4 2 1)
+  run_tencer(study ${parts} --run ${number})
+  expect_status(0)
+endforeach()
+expect_contains("${out}" "ring, force-balance, gauss-newton, x1, max error 2 %: ")
+run_tencer(study ${parts} --run 2)
+expect_status(0)
+expect_contains("${err}" "max error 5 %: done before")
+run_tencer(study ${parts} --list)
+expect_contains("${out}" "2\tring, force-balance, gauss-newton, x1, max error 5 %\tcomplete\n")
+expect_contains("${out}" "3\tstraight, force-balance, gauss-newton, x1, max error 2 %\tnot made\n")
+run_tencer(study -o parts --collect)
+expect_status(0)
+count_lines(parts lines)
+if(NOT lines EQUAL 3)
+  message(SEND_ERROR "${lines} lines of three runs")
+endif()
+if(GNUPLOT)
+  foreach(picture ring study-cables)
+    file(READ ${WORK}/parts/${picture}.svg text)
+    expect_contains("${text}" "<svg")
+  endforeach()
+endif()
+
+# Three at once share out the runs.
+list(TRANSFORM parts REPLACE "^parts$" "shared")
+execute_process(COMMAND ${TENCER} study ${parts} COMMAND ${TENCER} study ${parts}
+  COMMAND ${TENCER} study ${parts} WORKING_DIRECTORY ${WORK} OUTPUT_QUIET ERROR_VARIABLE err)
+run_tencer(study ${parts})
+expect_status(0)
+count_lines(shared lines)
+if(NOT lines EQUAL 4)
+  message(SEND_ERROR "${lines} lines of four shared runs; ${err}")
+endif()
+
+# What clusters are given.
+run_tencer(study ${parts} --submit slurm)
+expect_status(0)
+expect_contains("${out}" "sbatch shared/slurm.sh")
+file(READ ${WORK}/shared/slurm.sh script)
+expect_contains("${script}" "#SBATCH --array=1-4\n")
+expect_contains("${script}" "--max-errors 2,5")
+run_tencer(study ${parts} --submit parallel)
+expect_status(0)
+file(READ ${WORK}/shared/parallel.sh script)
+expect_contains("${script}" "seq 4 | parallel ")
+
+# The example of a sweep.
+cmake_path(GET TENCER PARENT_PATH programs)
+execute_process(COMMAND ${CMAKE_COMMAND} -E env PATH=${programs}:$ENV{PATH}
+    ${CMAKE_CURRENT_LIST_DIR}/../../examples/sweep/sweep.sh sweep 3 --list
+  WORKING_DIRECTORY ${WORK} OUTPUT_VARIABLE out COMMAND_ERROR_IS_FATAL ANY)
+expect_contains("${out}" "12\tknot-0003, force-balance, gauss-newton, x1, max error 4 %\tnot made\n")
 
 # The solver against closed forms.
 run_tencer(study --closed-forms -o forms --quiet)
@@ -122,7 +198,7 @@ read_table(forms/closed-forms.csv "problem,edges,seconds,relative_error" 30 line
 # Mistakes.
 refused("SCENES: " "--closed-forms" study -o none)
 refused("other/ring.obj: " "has the name of ring.obj" study ring.obj other/ring.obj -o none)
-refused("other/ring.obj: " "has the name of ring.obj in all/study.csv"
+refused("other/ring.obj: " "has the name of ring.obj in all/runs/ring-"
   study other/ring.obj -o all --methods force-balance)
 refused("--optimizers: " "this build has: " study ring.obj -o none --optimizers snopt)
 refused("--methods: " "use one of force-balance, dense-springs" study ring.obj -o none --methods luck)
@@ -130,5 +206,12 @@ foreach(value 0 nan 1000)
   refused("--resolutions: " "${value}" study ring.obj -o none --resolutions 1,${value})
 endforeach()
 refused("--time-limit: " "expected a positive number" study ring.obj -o none --time-limit 0)
-file(WRITE ${WORK}/bare/study.csv "a,b\n1,2\n")
-refused("bare/study.csv:2: " "remove this table" study ring.obj -o bare)
+set(record bare/runs/ring-force-balance-gauss-newton-x1.csv)
+file(WRITE ${WORK}/${record} "a,b\n1,2\n")
+refused("${record}:2: " "remove this table" study ring.obj -o bare)
+refused("--run: " "expected 1 to 2, as --list numbers them, found 3" study ring.obj -o parts --run 3
+  --max-errors 2,5 --methods force-balance)
+refused("--submit: " "use one of slurm, parallel" study ring.obj -o none --submit mail)
+refused("--list excludes" "--run" study ring.obj -o none --list --run 1)
+refused("SCENES: " "name no scenes" study ring.obj -o parts --collect)
+refused("none: " "no runs" study -o none --collect)

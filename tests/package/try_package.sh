@@ -16,6 +16,8 @@ as_user() { inside HOME=/home/user setpriv --reuid user --regid user --clear-gro
 if [[ ! -e $root/etc/debian_version ]]; then
   debootstrap --variant=minbase bookworm "$root" "${DEBIAN_MIRROR:-http://deb.debian.org/debian}"
 fi
+mountpoint -q "$root/proc" || mount -t proc proc "$root/proc"
+trap 'umount "$root/proc"' EXIT
 install -m 644 "$package" "$root/tmp/tencer.deb"
 # man and bash complete with packages of their own; a compiler is not the package's to bring.
 inside DEBIAN_FRONTEND=noninteractive sh -c 'apt-get -qq update &&

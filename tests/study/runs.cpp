@@ -1,6 +1,7 @@
 // Which runs a study has, and what becomes of programs it starts.
 #include "study/runs.hpp"
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -11,10 +12,13 @@
 #include <thread>
 
 #include "study/child.hpp"
-#include "study/folder_lock.hpp"
+#include "study/file_lock.hpp"
+#include "study/records.hpp"
+#include "study/submit.hpp"
 
 using namespace tencer::app::study;
 namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
 
 namespace {
 
@@ -42,6 +46,17 @@ TEST_CASE("runs are all combinations that make sense") {
   CHECK(title_of(runs->front()) == "one, force-balance, gauss-newton, x0.5");
   CHECK(folder_of(runs->back()) == "two-dense-springs-mma-x1");
   CHECK(runs->front().file == "a/one.toml");
+
+  const auto errors = runs_of({.scenes = {"one.toml"},
+                               .methods = {"force-balance"},
+                               .force_balance = {"mma"},
+                               .resolutions = {1},
+                               .max_errors = {0.5, 2}});
+  REQUIRE(errors);
+  REQUIRE(errors->size() == 2);
+  CHECK(title_of(errors->front()) == "one, force-balance, mma, x1, max error 0.5 %");
+  CHECK(folder_of(errors->front()) == "one-force-balance-mma-x1-0.5percent");
+  CHECK_FALSE(same_run(errors->front(), errors->back()));
 
   const auto twice = runs_of({.scenes = {"a/one.toml", "b/one.obj"}});
   REQUIRE_FALSE(twice);
@@ -95,15 +110,98 @@ TEST_CASE("a request to stop reaches the program") {
   CHECK_FALSE(end.timed_out);
 }
 
-TEST_CASE("one study at a time in a folder") {
+TEST_CASE("one program at a time holds a file, until its child ends too") {
   const Folder folder;
+  const fs::path file = folder.path / "lock";
   {
-    const FolderLock first(folder.path);
-    CHECK_FALSE(first.problem());
-    const FolderLock second(folder.path);
-    REQUIRE(second.problem());
-    CHECK(second.problem()->where == folder.path.string());
+    const auto first = FileLock::at_once(file);
+    REQUIRE(first);
+    CHECK(first->has_value());
+    const auto second = FileLock::at_once(file);
+    REQUIRE(second);
+    CHECK_FALSE(second->has_value());
   }
-  CHECK_FALSE(FolderLock(folder.path).problem());
-  CHECK(FolderLock(folder.path / "none").problem());
+  // A child that outlives the program which started it.
+  const pid_t parent = fork();
+  if (parent == 0) {
+    const auto lock = FileLock::at_once(file);
+    run_child("sh", {"-c", "trap '' TERM; echo > started; exec sleep 0.5"},
+              {.folder = folder.path, .log = folder.path / "log", .kept = (*lock)->descriptor()});
+    _exit(0);
+  }
+  while (!fs::exists(folder.path / "started"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  kill(parent, SIGKILL);
+  waitpid(parent, nullptr, 0);
+  const auto held = FileLock::at_once(file);
+  REQUIRE(held);
+  CHECK_FALSE(held->has_value());
+  CHECK(FileLock::in_turn(file));  // waits for the child
+
+  CHECK_FALSE(FileLock::at_once(folder.path / "none/lock"));
+  CHECK_FALSE(FileLock::in_turn(folder.path / "none/lock"));
+}
+
+TEST_CASE("a run is made once, and recorded") {
+  const Folder folder;
+  const Run run{.scene = "knot", .file = "knot.obj", .method = "m", .optimizer = "o"};
+  fs::create_directory(folder.path / "runs");
+  CHECK_FALSE(recorded(run, folder.path)->has_value());
+  CHECK(all_records(folder.path)->empty());
+
+  // Another program is at it.
+  {
+    const auto lock = FileLock::at_once(log_of(folder.path, run));
+    const auto attempt = make(run, folder.path, {});
+    REQUIRE(attempt);
+    CHECK(attempt->fate == Attempt::Fate::elsewhere);
+    CHECK_FALSE(attempt->row);
+  }
+  CHECK_FALSE(record({.run = run, .status = "complete", .seconds = 2}, folder.path));
+  const auto known = make(run, folder.path, {});
+  REQUIRE(known);
+  CHECK(known->fate == Attempt::Fate::known);
+  CHECK(known->row->seconds == 2);
+
+  // In order of their names, whoever was first.
+  Run other = run;
+  other.scene = "arch";
+  CHECK_FALSE(record({.run = other, .status = "failed"}, folder.path));
+  const auto all = all_records(folder.path);
+  REQUIRE(all);
+  REQUIRE(all->size() == 2);
+  CHECK(all->front().run.scene == "arch");
+
+  other = run;
+  other.file = "elsewhere/knot.obj";
+  CHECK(make(other, folder.path, {}).error().where == "elsewhere/knot.obj");
+
+  // What a crash of the machine left is no record.
+  std::ofstream(record_of(folder.path, run), std::ios::trunc).flush();
+  CHECK_FALSE(recorded(run, folder.path)->has_value());
+  CHECK(all_records(folder.path)->size() == 1);
+}
+
+TEST_CASE("scripts make every run once, whatever is in names") {
+  Submission submission{.here = "/home/o'hara/my study",
+                        .program = "/usr/bin/tencer",
+                        .options = {"--output", "out"},
+                        .scenes = {"a knot.obj", "b.obj"},
+                        .folder = "out",
+                        .runs = 2500,
+                        .threads = 2,
+                        .time_limit = 60};
+  const std::string slurm = slurm_script(submission);
+  CHECK_THAT(slurm, Contains("#SBATCH --array=1-1000\n"));
+  CHECK_THAT(slurm, Contains("#SBATCH --cpus-per-task=2\n"));
+  CHECK_THAT(slurm, Contains("#SBATCH --time=9\n"));  // three runs of a minute, and their checks
+  CHECK_THAT(slurm, Contains("cd '/home/o'\\''hara/my study' || exit\n"));
+  CHECK_THAT(slurm, Contains("run <= 2500; run += 1000"));
+  CHECK_THAT(slurm,
+             Contains("/usr/bin/tencer study --output out --run $run -- 'a knot.obj' b.obj"));
+  submission.runs = 3;
+  CHECK_THAT(slurm_script(submission), Contains("#SBATCH --array=1-3\n"));
+  const std::string parallel = parallel_script(submission);
+  CHECK_THAT(parallel, Contains("seq 3 | parallel "));
+  CHECK_THAT(parallel, Contains("/usr/bin/tencer study --output out --collect\n"));
 }

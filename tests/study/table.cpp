@@ -13,7 +13,8 @@ Row finished() {
                   .file = "a, b/knot.toml",
                   .method = "dense-springs",
                   .optimizer = "mma",
-                  .resolution = 0.5},
+                  .resolution = 0.5,
+                  .max_error = 0.3},
           .status = "tolerance-not-reached",
           .vertices = 102,
           .cables = 9,
@@ -25,6 +26,7 @@ Row finished() {
           .stands = true,
           .settles = false,
           .smallest_eigenvalue = 3.25e4,
+          .machine = "node-7",
           .message = "it \"rests\" elsewhere,\nsay the cables"};
 }
 
@@ -59,6 +61,7 @@ TEST_CASE("rows of a study come back from its table") {
   CHECK(first.stands == true);
   CHECK(first.settles == false);
   CHECK(first.smallest_eigenvalue == 3.25e4);
+  CHECK(first.machine == "node-7");
   CHECK(first.message == rows[0].message);
   const Row& second = read->back();
   CHECK_FALSE(second.vertices);

@@ -36,12 +36,13 @@ class Descriptor {
 };
 
 // Becomes the program. After fork in a program with threads: nothing here may allocate or lock.
-[[noreturn]] void become(char* const* arguments, const char* folder, int log) {
+[[noreturn]] void become(char* const* arguments, const char* folder, int log, int kept) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   sigset_t none;
   sigemptyset(&none);
   pthread_sigmask(SIG_SETMASK, &none, nullptr);
+  if (kept >= 0) fcntl(kept, F_SETFD, 0);
   const bool ready = dup2(log, STDOUT_FILENO) >= 0 && dup2(log, STDERR_FILENO) >= 0 &&
                      (*folder == '\0' || chdir(folder) == 0);
   if (ready) execvp(arguments[0], arguments);
@@ -68,7 +69,7 @@ ChildEnd run_child(const std::string& program, const std::vector<std::string>& a
   const auto begin = Clock::now();
   const pid_t child = fork();
   if (child < 0) fail("fork");
-  if (child == 0) become(pointers.data(), folder.c_str(), log.number());
+  if (child == 0) become(pointers.data(), folder.c_str(), log.number(), options.kept);
 
   ChildEnd end;
   int status = 0;

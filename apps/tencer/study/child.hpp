@@ -13,6 +13,7 @@ struct ChildOptions {
   std::filesystem::path log{};     // gets what it prints, on either stream
   double limit = 0.0;              // seconds until it is asked to end; 0: none
   double grace = 10.0;             // seconds from there until it is killed
+  int kept = -1;                   // a descriptor that it keeps, such as that of a lock; -1: none
   std::stop_token stop{};          // asks it to end as well
 };
 

@@ -149,11 +149,57 @@ std::string script(const std::string& name, const Plot& plot) {
   return text.str();
 }
 
+std::string script(const std::string& name, const CountPlot& plot) {
+  std::vector<double> numbers;
+  for (const CountCurve& curve : plot.curves)
+    for (const auto& [x, count] : curve.points) numbers.push_back(x);
+  std::ostringstream text;
+  text << "# gnuplot " << plain(name) << ".gp\n"
+       << style << "set output " << quoted(name + ".svg") << "\ndata = " << quoted(name + ".dat")
+       << "\nset title " << quoted(plot.title) << " noenhanced\nset logscale x\n"
+       << "set format x '%g'\nset autoscale noextend\nset yrange [0:*]\n"
+       << "set offsets graph 0.05, graph 0.05, graph 0.1, 0\n"
+       << "set xlabel " << quoted(plot.x_axis) << " noenhanced\nset ylabel "
+       << quoted(plot.count_axis) << " noenhanced\n"
+       << tics('x', numbers) << "set key below\nplot";
+  for (std::size_t block = 0; block < plot.curves.size(); ++block) {
+    const CountCurve& curve = plot.curves[block];
+    text << (block > 0 ? ", \\\n     " : " ") << "data index " << block
+         << " using 1:2 with linespoints lt " << curve.colour << " dt " << curve.dashes
+         << " pt 7 ps 0.6 title " << quoted(curve.name);
+  }
+  text << '\n';
+  return text.str();
+}
+
+std::string data(const CountPlot& plot) {
+  std::ostringstream text;
+  text << "# " << plain(plot.x_axis) << ", " << plain(plot.count_axis)
+       << "; two blank lines between curves\n"
+       << std::setprecision(9);
+  for (const CountCurve& curve : plot.curves) {
+    text << (&curve == &plot.curves.front() ? "" : "\n\n") << "# " << plain(curve.name) << '\n';
+    for (const auto& [x, count] : curve.points) text << x << ' ' << count << '\n';
+  }
+  return text.str();
+}
+
 }  // namespace
+
+PlotCurve& curve_of(Plot& plot, const std::string& name) {
+  const auto curve = std::ranges::find(plot.curves, name, &PlotCurve::name);
+  if (curve != plot.curves.end()) return *curve;
+  const int colour = static_cast<int>(plot.curves.size()) + 1;
+  return plot.curves.emplace_back(PlotCurve{.name = name, .colour = colour});
+}
 
 bool has_points(const Plot& plot) { return std::ranges::any_of(plot.curves, drawn); }
 
 std::vector<io::NamedText> plot_files(const std::string& name, const Plot& plot) {
+  return {{name + ".dat", data(plot)}, {name + ".gp", script(name, plot)}};
+}
+
+std::vector<io::NamedText> count_files(const std::string& name, const CountPlot& plot) {
   return {{name + ".dat", data(plot)}, {name + ".gp", script(name, plot)}};
 }
 

@@ -1,11 +1,12 @@
 // Data and scripts for gnuplot: error against run time, both axes logarithmic, and below it how
-// many there are of something against the same time.
+// many there are of something against the same time; or the latter alone, against anything.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <string>
 #include <tencer/io/file.hpp>
+#include <utility>
 #include <vector>
 
 namespace tencer::app::study {
@@ -36,7 +37,28 @@ struct Plot {
 // without points.
 std::vector<io::NamedText> plot_files(const std::string& name, const Plot& plot);
 
+// The plot's curve of this name, which is made, with the next colour, where it is not there.
+PlotCurve& curve_of(Plot& plot, const std::string& name);
+
 // Whether there is anything to be drawn.
 bool has_points(const Plot& plot);
+
+struct CountCurve {
+  std::string name{};
+  int colour = 1;
+  int dashes = 1;                                   // 1: none
+  std::vector<std::pair<double, double>> points{};  // joined in this order
+};
+
+// Counts against a positive number on a logarithmic axis.
+struct CountPlot {
+  std::string title{};
+  std::string x_axis{};
+  std::string count_axis{};
+  std::vector<CountCurve> curves{};
+};
+
+// Likewise.
+std::vector<io::NamedText> count_files(const std::string& name, const CountPlot& plot);
 
 }  // namespace tencer::app::study

@@ -1,35 +1,22 @@
 #include "runs.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
 #include <cstring>
 #include <map>
-#include <set>
 #include <sstream>
-#include <system_error>
 #include <tencer/io/file.hpp>
-#include <tencer/io/scene.hpp>
 
 #include "child.hpp"
+#include "file_lock.hpp"
+#include "records.hpp"
 
 namespace tencer::app::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path runs_folder(const fs::path& folder) { return folder / "runs"; }
-fs::path log_of(const fs::path& folder, const Run& run) {
-  return runs_folder(folder) / (folder_of(run) + ".log");
-}
-fs::path design_of(const fs::path& folder, const Run& run) {
-  return runs_folder(folder) / folder_of(run) / "design.json";
-}
-
-std::string short_text(double number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
 
 // What the program said last of what went wrong, without its name.
 std::string complaint(const fs::path& log) {
@@ -46,7 +33,7 @@ std::string complaint(const fs::path& log) {
 Row failed(const Run& run, const ChildEnd& end, const fs::path& log, double limit) {
   Row row{.run = run, .status = "failed", .seconds = end.seconds};
   if (end.timed_out)
-    row.message = "no design within the time limit of " + short_text(limit) + " s";
+    row.message = "no design within the time limit of " + number_text(limit) + " s";
   else if (const char* signal = sigdescr_np(end.signal); end.signal != 0)
     row.message = "ended by a signal: " + (signal ? signal : std::to_string(end.signal));
   else
@@ -55,27 +42,49 @@ Row failed(const Run& run, const ChildEnd& end, const fs::path& log, double limi
   return row;
 }
 
-// The way to a design: where each stage ended, unless nothing had changed. Without the last one,
-// the design itself.
-std::vector<PlotPoint> stages(const model::Design& design) {
-  std::vector<PlotPoint> points;
-  double seconds = 0;
-  int cables = -1;
-  for (const auto& stage : design.trace) {
-    seconds += stage.seconds;
-    if (stage.stage == "settle") continue;  // a test of what is there
-    if (stage.cables != cables || stage.max_percent != points.back().error)
-      points.push_back({.seconds = seconds, .error = stage.max_percent, .count = stage.cables});
-    cables = stage.cables;
-  }
-  if (cables == static_cast<int>(design.structure.cables.size()) && points.size() > 1)
-    points.pop_back();
-  return points;
+// The run's row, whatever became of its process; none when it was stopped.
+std::optional<Row> design_row(const Run& run, const fs::path& folder, const MakeOptions& options,
+                              const FileLock& lock) {
+  const fs::path log = log_of(folder, run);
+  const fs::path design_file = design_of(folder, run);
+  std::vector<std::string> arguments{
+      "design",      "--output",     design_file.parent_path().string(),
+      "--method",    run.method,     "--optimizer",
+      run.optimizer, "--resolution", number_text(run.resolution)};
+  if (run.max_error)
+    arguments.insert(arguments.end(), {"--max-error", number_text(*run.max_error)});
+  if (options.threads)
+    arguments.insert(arguments.end(), {"--threads", std::to_string(*options.threads)});
+  arguments.insert(arguments.end(), {"--", run.file});
+  const ChildEnd end = run_child(
+      "/proc/self/exe", arguments,
+      {.log = log, .limit = options.limit, .kept = lock.descriptor(), .stop = options.stop});
+  if (options.stop.stop_requested() || end.signal == SIGTERM) return std::nullopt;
+  if (end.exit_code != 0 && end.exit_code != 3) return failed(run, end, log, options.limit);
+  const auto design = io::read_design(design_file);
+  if (!design)
+    return Row{
+        .run = run, .status = "failed", .seconds = end.seconds, .message = design.error().text()};
+  const bool interrupted = design->status == model::DesignStatus::interrupted;
+  if (interrupted && !end.timed_out) return std::nullopt;  // whoever stopped it may stop us next
+  Row row = row_of(run, *design, end.seconds);
+  if (interrupted)
+    row.message = "interrupted at the time limit of " + number_text(options.limit) + " s";
+  else if (design->status != model::DesignStatus::complete)
+    row.message = complaint(log);
+  return row;
+}
+
+std::string machine_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
 }  // namespace
 
 core::Expected<std::vector<Run>> runs_of(const Choice& choice) {
+  std::vector<std::optional<double>> max_errors(choice.max_errors.begin(), choice.max_errors.end());
+  if (max_errors.empty()) max_errors.emplace_back();
   std::vector<Run> runs;
   std::map<std::string, fs::path> files;
   for (const fs::path& file : choice.scenes) {
@@ -89,74 +98,31 @@ core::Expected<std::vector<Run>> runs_of(const Choice& choice) {
       for (const std::string& optimizer :
            method == "force-balance" ? choice.force_balance : choice.dense_springs)
         for (const double resolution : choice.resolutions)
-          runs.push_back({.scene = name,
-                          .file = file.string(),
-                          .method = method,
-                          .optimizer = optimizer,
-                          .resolution = resolution});
+          for (const auto& max_error : max_errors)
+            runs.push_back({.scene = name,
+                            .file = file.string(),
+                            .method = method,
+                            .optimizer = optimizer,
+                            .resolution = resolution,
+                            .max_error = max_error});
     }
   }
   return runs;
 }
 
-std::optional<Row> make(const Run& run, const fs::path& folder, double limit,
-                        const std::stop_token& stop) {
-  fs::create_directories(runs_folder(folder));
-  const fs::path log = log_of(folder, run);
-  std::vector<std::string> arguments{
-      "design",      "--output",     design_of(folder, run).parent_path().string(),
-      "--method",    run.method,     "--optimizer",
-      run.optimizer, "--resolution", short_text(run.resolution)};
-  arguments.push_back("--");
-  arguments.push_back(run.file);
-  const ChildEnd end =
-      run_child("/proc/self/exe", arguments, {.log = log, .limit = limit, .stop = stop});
-  if (stop.stop_requested()) return std::nullopt;
-  if (end.exit_code != 0 && end.exit_code != 3) return failed(run, end, log, limit);
-  const auto design = io::read_design(design_of(folder, run));
-  if (!design)
-    return Row{
-        .run = run, .status = "failed", .seconds = end.seconds, .message = design.error().text()};
-  Row row = row_of(run, *design, end.seconds);
-  if (design->status == model::DesignStatus::interrupted)
-    row.message = "interrupted at the time limit of " + short_text(limit) + " s";
-  else if (design->status != model::DesignStatus::complete)
-    row.message = complaint(log);
-  return row;
+core::Expected<Attempt> make(const Run& run, const fs::path& folder, const MakeOptions& options) {
+  fs::create_directories(log_of(folder, run).parent_path());
+  const auto lock = FileLock::at_once(log_of(folder, run));
+  if (!lock) return lock.error();
+  if (!*lock) return Attempt{.fate = Attempt::Fate::elsewhere};
+  auto known = recorded(run, folder);
+  if (!known) return known.error();
+  if (*known && !options.again)
+    return Attempt{.fate = Attempt::Fate::known, .row = std::move(*known)};
+  auto row = design_row(run, folder, options, **lock);
+  if (!row) return Attempt{.fate = Attempt::Fate::stopped};
+  row->machine = machine_name();
+  if (auto error = record(*row, folder)) return *error;
+  return Attempt{.fate = Attempt::Fate::made, .row = std::move(row)};
 }
-
-Plot plot_of(const std::string& scene, std::span<const Row> rows, const fs::path& folder) {
-  std::vector<const Row*> found;
-  std::set<double> resolutions;
-  for (const Row& row : rows)
-    if (row.run.scene == scene) {
-      resolutions.insert(row.run.resolution);
-      if (row.cables) found.push_back(&row);
-    }
-  const bool several = resolutions.size() > 1;
-  std::ranges::stable_sort(found, {}, [](const Row* row) { return row->run.resolution; });
-
-  Plot plot{.title = scene + (several ? ", a point a resolution" : ""),
-            .error_axis = "max error, % of the size",
-            .count_axis = "cables"};
-  if (!found.empty())
-    if (const auto asked = io::read_any_scene(found.front()->run.file))
-      plot.allowed = asked->design.max_error;
-  for (const Row* row : found) {
-    const std::string name = row->run.method + ", " + row->run.optimizer;
-    auto curve = std::ranges::find(plot.curves, name, &PlotCurve::name);
-    if (curve == plot.curves.end()) {
-      const int colour = static_cast<int>(plot.curves.size()) + 1;
-      curve = plot.curves.insert(curve, {.name = name, .colour = colour});
-    }
-    PlotPoint design{
-        .seconds = row->seconds, .error = row->max_percent.value_or(0.0), .count = *row->cables};
-    if (!several)
-      if (const auto file = io::read_design(design_of(folder, row->run)))
-        curve->points = stages(*file);
-    curve->points.push_back(design);
-  }
-  return plot;
-}
-
 }  // namespace tencer::app::study

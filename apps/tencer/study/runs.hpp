@@ -4,7 +4,6 @@
 #include <optional>
 #include <stop_token>
 
-#include "plot.hpp"
 #include "table.hpp"
 
 namespace tencer::app::study {
@@ -15,22 +14,36 @@ struct Choice {
   std::vector<std::string> force_balance{};  // optimizers of this method
   std::vector<std::string> dense_springs{};  // and of this one
   std::vector<double> resolutions{};
+  std::vector<double> max_errors{};  // %; empty: the scenes' own
 };
 
-// Scene after scene, methods, optimizers, resolutions. Error: two scenes of the same name.
+// Scene after scene, methods, optimizers, resolutions, max errors. Error: two scenes of the same
+// name.
 core::Expected<std::vector<Run>> runs_of(const Choice& choice);
 
-// The run as a process of its own (`tencer design`), so that whatever becomes of it - a crash, no
-// memory left, no end - costs one row. Its design is in folder/runs, beside a log of what it
-// printed. limit: seconds until it has to end with the best design so far; 0: none. None when it
-// was stopped.
-std::optional<Row> make(const Run& run, const std::filesystem::path& folder, double limit,
-                        const std::stop_token& stop);
+struct MakeOptions {
+  double limit = 0.0;            // seconds until a run ends with the best design so far; 0: none
+  std::optional<int> threads{};  // none: the scene's
+  bool again = false;            // also where there is a record
+  std::stop_token stop{};
+};
 
-// Error against run time of a scene's runs with numbers of cables, a curve for each method and
-// optimizer: through the ends of the stages, from the designs in folder/runs; or, with several
-// resolutions, through the designs, from the table.
-Plot plot_of(const std::string& scene, std::span<const Row> rows,
-             const std::filesystem::path& folder);
+struct Attempt {
+  enum class Fate {
+    made,       // and recorded now
+    known,      // recorded before
+    elsewhere,  // another program is at it
+    stopped     // no record
+  };
+  Fate fate = Fate::stopped;
+  std::optional<Row> row{};  // of those that are recorded
+};
+
+// Makes the run and records it in the study's folder, as a process of its own (`tencer design`), so
+// that whatever becomes of it - a crash, no memory left, no end - costs one row. No two programs
+// make a run at once: its log is locked, by this program and the process that it starts. Error: the
+// folder cannot be written to, or the name of the run is another's there.
+core::Expected<Attempt> make(const Run& run, const std::filesystem::path& folder,
+                             const MakeOptions& options);
 
 }  // namespace tencer::app::study

@@ -9,12 +9,6 @@
 namespace tencer::app::study {
 namespace {
 
-// The shortest text that reads back as the same number.
-std::string text_of(double number) {
-  std::array<char, 32> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr};
-}
-
 template <class T>
 std::string text_of(const std::optional<T>& value) {
   if (!value) return "";
@@ -23,7 +17,7 @@ std::string text_of(const std::optional<T>& value) {
   else if constexpr (std::is_same_v<T, int>)
     return std::to_string(*value);
   else
-    return text_of(*value);
+    return number_text(*value);
 }
 
 // Reads `text` into `value`; false when it is something else.
@@ -73,21 +67,28 @@ bool has_stage(const Row& row, const std::string& stage) {
 }
 
 // Number as it is in names: 0.5, 1, 2.
-std::string factor(double resolution) { return std::string("x").append(text_of(resolution)); }
+std::string factor(double resolution) { return std::string("x").append(number_text(resolution)); }
 
 }  // namespace
 
+std::string number_text(double number) {
+  std::array<char, 32> buffer{};
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr};
+}
+
 std::string title_of(const Run& run) {
-  return run.scene + ", " + run.method + ", " + run.optimizer + ", " + factor(run.resolution);
+  return run.scene + ", " + run.method + ", " + run.optimizer + ", " + factor(run.resolution) +
+         (run.max_error ? ", max error " + number_text(*run.max_error) + " %" : "");
 }
 
 std::string folder_of(const Run& run) {
-  return run.scene + "-" + run.method + "-" + run.optimizer + "-" + factor(run.resolution);
+  return run.scene + "-" + run.method + "-" + run.optimizer + "-" + factor(run.resolution) +
+         (run.max_error ? "-" + number_text(*run.max_error) + "percent" : "");
 }
 
 bool same_run(const Run& a, const Run& b) {
   return a.scene == b.scene && a.method == b.method && a.optimizer == b.optimizer &&
-         a.resolution == b.resolution;
+         a.resolution == b.resolution && a.max_error == b.max_error;
 }
 
 Row row_of(const Run& run, const model::Design& design, double seconds) {
@@ -115,9 +116,10 @@ Row row_of(const Run& run, const model::Design& design, double seconds) {
 
 std::string table_text(std::span<const Row> rows) {
   const std::vector<std::string> stages = stages_of(rows);
-  io::CsvRow header{"scene",       "file",     "method",  "optimizer",           "resolution",
-                    "status",      "vertices", "cables",  "external_cables",     "max_percent",
-                    "rms_percent", "stands",   "settles", "smallest_eigenvalue", "seconds"};
+  io::CsvRow header{"scene",       "file",        "method",   "optimizer", "resolution",
+                    "max_error",   "status",      "vertices", "cables",    "external_cables",
+                    "max_percent", "rms_percent", "stands",   "settles",   "smallest_eigenvalue",
+                    "machine",     "seconds"};
   for (const auto& stage : stages) header.push_back(std::string(stage_prefix) + stage);
   header.push_back("message");
   std::string text = io::csv_line(header);
@@ -126,7 +128,8 @@ std::string table_text(std::span<const Row> rows) {
                       row.run.file,
                       row.run.method,
                       row.run.optimizer,
-                      text_of(row.run.resolution),
+                      number_text(row.run.resolution),
+                      text_of(row.run.max_error),
                       row.status,
                       text_of(row.vertices),
                       text_of(row.cables),
@@ -136,9 +139,10 @@ std::string table_text(std::span<const Row> rows) {
                       text_of(row.stands),
                       text_of(row.settles),
                       text_of(row.smallest_eigenvalue),
-                      text_of(row.seconds)};
+                      row.machine,
+                      number_text(row.seconds)};
     for (const auto& stage : stages)
-      fields.push_back(has_stage(row, stage) ? text_of(seconds_in(row, stage)) : "");
+      fields.push_back(has_stage(row, stage) ? number_text(seconds_in(row, stage)) : "");
     fields.push_back(row.message);
     text += io::csv_line(fields);
   }
@@ -171,6 +175,7 @@ core::Expected<std::vector<Row>> parse_table(const std::filesystem::path& path,
     take("method", row.run.method);
     take("optimizer", row.run.optimizer);
     take("resolution", row.run.resolution);
+    take("max_error", row.run.max_error);
     take("status", row.status);
     take("vertices", row.vertices);
     take("cables", row.cables);
@@ -180,6 +185,7 @@ core::Expected<std::vector<Row>> parse_table(const std::filesystem::path& path,
     take("stands", row.stands);
     take("settles", row.settles);
     take("smallest_eigenvalue", row.smallest_eigenvalue);
+    take("machine", row.machine);
     take("seconds", row.seconds);
     take("message", row.message);
     for (std::size_t c = 0; c < fields.size(); ++c) {

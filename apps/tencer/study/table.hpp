@@ -1,4 +1,4 @@
-// The table of a study, study.csv: one line a run.
+// The table of a study, study.csv: one line a run. A run's record is such a table of its own.
 #pragma once
 
 #include <filesystem>
@@ -13,6 +13,9 @@
 
 namespace tencer::app::study {
 
+// The shortest text that reads back as the same number: 0.5, 1, 2.
+std::string number_text(double number);
+
 // One design to be made.
 struct Run {
   std::string scene;  // its file's name without extension: the name of its picture
@@ -20,9 +23,11 @@ struct Run {
   std::string method;
   std::string optimizer;
   double resolution = 1.0;
+  std::optional<double> max_error{};  // %; none: the scene's
 };
 
-// "trefoil, force-balance, gauss-newton, x 0.5"; also the name of the run's folder, with dashes.
+// "trefoil, force-balance, gauss-newton, x0.5, max error 2 %"; also the name of the run's folder,
+// with dashes.
 std::string title_of(const Run& run);
 std::string folder_of(const Run& run);
 
@@ -39,6 +44,7 @@ struct Row {
   std::optional<bool> stands{};
   std::optional<bool> settles{};
   std::optional<double> smallest_eigenvalue{};  // the margin of stability, in max EI / L^4
+  std::string machine{};                        // that made it, by its name in the network
   std::string message{};                        // when something is not as asked
 };
 
