@@ -23,7 +23,7 @@ class Sketch {
     for (const Path& line : seen.lines()) lines_.push_back(on_paper(line, seen, spot));
   }
 
-  // Returns how many numbers found no place.
+  // Returns how many names found no place.
   int draw() {
     find_strokes();
     draw_rods();
@@ -219,15 +219,24 @@ class Sketch {
 
   void place_words() {
     Labels labels(spot_.bounds, busy_points());
-    for (int r = 0; r < seen_.solid().rods && look_.rod_names; ++r)
-      write(labels, core::rod_name(r), {4.6, true, rod_colour(r)}, {lines_[r].col(0)},
-            Beside::near);
+    for (int r = 0; r < seen_.solid().rods && look_.rod_names; ++r) name_rod(labels, r);
     for (int c = 0; c < seen_.solid().cables(); ++c)
       if (numbered(c)) number_cable(labels, c);
     if (!look_.anchor_names) return;
     const Path anchors = on_paper(seen_.anchors(), seen_, spot_);
     for (int a = 0; a < anchors.cols(); ++a)
       write(labels, core::anchor_name(a), {2.5, false, soft_ink}, {anchors.col(a)}, Beside::near);
+  }
+
+  // At its start, or with a leader from anywhere on it.
+  void name_rod(Labels& labels, int r) {
+    const bool leader = look_.numbers == Numbers::beside;
+    const Path& line = lines_[r];
+    std::vector<Vector2d> anchors{line.col(0)};
+    for (Eigen::Index k = 1; k < 12 && leader; ++k)
+      anchors.emplace_back(line.col(k * line.cols() / 12));
+    write(labels, core::rod_name(r), {look_.rod_name_size, true, rod_colour(r)}, anchors,
+          leader ? Beside::leader : Beside::near);
   }
 
   bool numbered(int c) const {

@@ -49,8 +49,9 @@ struct Look {
   double cable_width = 0.28;
   bool starts = true;  // where rods start, and which way they go
   bool rod_names = true;
+  double rod_name_size = 4.6;
   bool anchor_names = true;
-  Numbers numbers = Numbers::on_cables;  // beside: at the ends of leaders
+  Numbers numbers = Numbers::on_cables;  // beside: at the ends of leaders, as are rods' names
   bool plain = false;                    // rods in grey, cables but `new_cable` in ink
   std::vector<bool> tied{};              // the cables that are drawn and numbered; none: all
   int new_cable = -1;                    // drawn to be seen, and numbered
@@ -59,8 +60,8 @@ struct Look {
 // Points seen along the axes, on paper.
 Path on_paper(const Path& points, const Seen& seen, const Spot& spot);
 
-// Returns how many numbers are left out, since they would hide others: only those beside cables
-// are.
+// Returns how many names are left out, since they would hide others: only where they are at the
+// ends of leaders.
 int draw(Canvas& canvas, const Seen& seen, const Spot& spot, const Look& look);
 
 // 1 : n, or n : 1, for the least n of those that people use at which `size` fits into `room`.

@@ -82,6 +82,7 @@ Look Layout::look() const {
           .cable_width = several() ? 0.25 : 0.32,
           .starts = false,
           .rod_names = !only_rod && numbers_,
+          .rod_name_size = several() ? 3.4 : 4.6,
           .anchor_names = false,
           .numbers = numbers_ ? Numbers::beside : Numbers::none};
 }
@@ -100,7 +101,7 @@ void Layout::draw_all(Canvas& canvas, const Look& look) const {
   }
   draw_scale_bar(canvas, size_.x() - margin, y + 3, scale_, false);
   if (left_out > 0)
-    canvas.text(margin, y + 6.6, "no room for " + core::counted(left_out, "number"),
+    canvas.text(margin, y + 6.6, "no room for " + core::counted(left_out, "name"),
                 {2.6, false, soft_ink});
   y += scale_bar;
   for (const std::string& line : caption_) {
