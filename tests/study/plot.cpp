@@ -23,7 +23,7 @@ TEST_CASE("a plot has a block of data and a line in each panel for each curve") 
   CHECK_THAT(files[1].text, Contains("set output 'knot.svg'"));
   CHECK_THAT(files[1].text, Contains("title 'the rod''s own'"));
   CHECK_THAT(files[1].text, Contains("set ylabel 'cables'"));
-  CHECK_THAT(files[1].text, Contains("to graph 1, first 0.75 nohead"));
+  CHECK_THAT(files[1].text, Contains("0.75 with lines lt 7"));
   for (const std::string panel : {"1:2", "1:3"}) {
     CHECK_THAT(files[1].text, Contains("data index 0 using " + panel));
     CHECK_THAT(files[1].text, Contains("data index 1 using " + panel + " with linespoints lt 2 "));
@@ -61,4 +61,9 @@ TEST_CASE("a plot has the style of all figures") {
     CHECK_THAT(script, Contains(line + "\n"));
   }
   CHECK(lines > 10);
+}
+
+TEST_CASE("numbers of things are whole") {
+  const Plot plot{.curves = {{.points = {{1, 0.4, 6}, {2, 0.5, 7}}}}};
+  CHECK_THAT(plot_files("few", plot)[1].text, Contains("set ytics (4, 5, 6, 7, 8, 9)"));
 }

@@ -52,11 +52,12 @@ std::string data(const Plot& plot) {
 
 // Numbers for an axis from `least` to `largest` and a little beyond: 1, 2 and 5 of each decade, or,
 // within one, equal steps.
-std::vector<double> numbers_along(double least, double largest) {
+std::vector<double> numbers_along(double least, double largest, double least_step) {
   std::vector<double> numbers;
   if (largest < 3 * least) {
     double step = std::pow(10.0, std::floor(std::log10(0.5 * least)));
     if (largest - least < 2 * step) step /= 5;
+    step = std::max(step, least_step);
     for (double k = std::floor(0.7 * least / step); k * step < 1.4 * largest; ++k)
       numbers.push_back(k * step);
     return numbers;
@@ -69,14 +70,14 @@ std::vector<double> numbers_along(double least, double largest) {
 
 // Where fewer than two powers of ten may be on an axis, which would leave it without numbers; else
 // gnuplot's own choice.
-std::string tics(char axis, std::vector<double> values) {
+std::string tics(char axis, std::vector<double> values, double least_step = 0.0) {
   std::erase_if(values, [](double value) { return !(value > 0); });
   if (values.empty()) return "";
   const auto [least, largest] = std::ranges::minmax(values);
   const std::string set = std::string("set ") + axis + "tics ";
   if (!(largest < 100 * least)) return set + "autofreq\n";
   std::ostringstream text;
-  for (const double number : numbers_along(least, largest))
+  for (const double number : numbers_along(least, largest, least_step))
     text << (text.str().empty() ? "" : ", ") << number;
   return set + "(" + text.str() + ")\n";
 }
@@ -90,8 +91,8 @@ std::vector<double> values_of(const Plot& plot, Value PlotPoint::*value) {
   return values;
 }
 
-// One panel: a column of the data against the first.
-std::string panel(const Plot& plot, int column, bool titles) {
+// One panel: a column of the data against the first, and what is allowed of it.
+std::string panel(const Plot& plot, int column, bool titles, std::optional<double> allowed = {}) {
   std::ostringstream text;
   text << "plot";
   int block = 0;
@@ -102,6 +103,7 @@ std::string panel(const Plot& plot, int column, bool titles) {
          << (titles ? "title " + quoted(curve.name) : "notitle");
     ++block;
   }
+  if (allowed) text << ", \\\n     " << *allowed << " with lines lt 7 dt 4 notitle";
   text << '\n';
   return text.str();
 }
@@ -138,12 +140,11 @@ std::string script(const std::string& name, const Plot& plot) {
        << tics('y', errors) << "unset key\n";
   if (plot.allowed)
     text << "set label 1 'allowed' at graph 0.01, first " << *plot.allowed
-         << " offset 0,0.5 tc lt 7\nset arrow 1 from graph 0, first " << *plot.allowed
-         << " to graph 1, first " << *plot.allowed << " nohead lt 7 dt 4\n";
-  text << panel(plot, 2, false) << "unset arrow\nunset label\n"
+         << " offset 0,0.5 tc lt 7\n";
+  text << panel(plot, 2, false, plot.allowed) << "unset label\n"
        << "set tmargin at screen 0.46\nset bmargin at screen 0.22\nset format x '%g'\n"
        << "set xlabel 'seconds'\nset ylabel " << quoted(plot.count_axis) << " noenhanced\n"
-       << tics('y', values_of(plot, &PlotPoint::count))
+       << tics('y', values_of(plot, &PlotPoint::count), 1)
        << "set key at screen 0.5, screen 0.02 center bottom horizontal\n"
        << panel(plot, 3, true) << "unset multiplot\n";
   return text.str();
