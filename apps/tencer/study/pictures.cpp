@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <tencer/io/scene.hpp>
+#include <tuple>
 
 #include "records.hpp"
 
@@ -98,10 +99,9 @@ CountPlot cables_plot(std::span<const Row> rows) {
   int colour = 0;
   for (const auto& [way, by_error] : cables) {
     ++colour;
-    int dashes = 3;
-    for (const auto& [part, name] :
-         {std::pair(0.9, "9 in 10 need no more"), {0.5, "half"}, {0.1, "1 in 10"}}) {
-      CountCurve curve{.name = way + ": " + name, .colour = colour, .dashes = dashes--};
+    for (const auto& [part, dashes, name] :
+         {std::tuple(0.9, 2, "9 in 10 need no more"), {0.5, 1, "half"}, {0.1, 3, "1 in 10"}}) {
+      CountCurve curve{.name = way + ": " + name, .colour = colour, .dashes = dashes};
       for (const auto& [max_error, numbers] : by_error)
         if (const auto number = quantile(numbers, part))
           curve.points.emplace_back(max_error, *number);

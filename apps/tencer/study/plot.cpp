@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <limits>
+#include <set>
 #include <sstream>
+
+#include "table.hpp"
 
 namespace tencer::app::study {
 namespace {
@@ -151,9 +153,11 @@ std::string script(const std::string& name, const Plot& plot) {
 }
 
 std::string script(const std::string& name, const CountPlot& plot) {
-  std::vector<double> numbers;
+  std::set<double> numbers;
   for (const CountCurve& curve : plot.curves)
-    for (const auto& [x, count] : curve.points) numbers.push_back(x);
+    for (const auto& [x, count] : curve.points) numbers.insert(x);
+  std::string tics;
+  for (const double number : numbers) tics += (tics.empty() ? "" : ", ") + number_text(number);
   std::ostringstream text;
   text << "# gnuplot " << plain(name) << ".gp\n"
        << style << "set output " << quoted(name + ".svg") << "\ndata = " << quoted(name + ".dat")
@@ -162,7 +166,7 @@ std::string script(const std::string& name, const CountPlot& plot) {
        << "set offsets graph 0.05, graph 0.05, graph 0.1, 0\n"
        << "set xlabel " << quoted(plot.x_axis) << " noenhanced\nset ylabel "
        << quoted(plot.count_axis) << " noenhanced\n"
-       << tics('x', numbers) << "set key below\nplot";
+       << "set xtics (" << tics << ")\nset key below\nplot";
   for (std::size_t block = 0; block < plot.curves.size(); ++block) {
     const CountCurve& curve = plot.curves[block];
     text << (block > 0 ? ", \\\n     " : " ") << "data index " << block
