@@ -1,6 +1,7 @@
 # CPack runs this on what it will pack: manual pages and the changelog are compressed, as Debian has
 # them.
 file(GLOB_RECURSE pages ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/*.1)
+list(FILTER pages INCLUDE REGEX "/man1/") # libraries end so, too
 file(GLOB_RECURSE changes ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/CHANGELOG.md)
 if(NOT pages OR NOT changes)
   message(FATAL_ERROR "no manual page, or no CHANGELOG.md, in ${CPACK_TEMPORARY_INSTALL_DIRECTORY}")

@@ -21,7 +21,7 @@ trap 'umount "$root/proc"' EXIT
 install -m 644 "$package" "$root/tmp/tencer.deb"
 # man and bash complete with packages of their own; a compiler is not the package's to bring.
 inside DEBIAN_FRONTEND=noninteractive sh -c 'apt-get -qq update &&
-  apt-get -qq install -y /tmp/tencer.deb >/var/log/tencer-install &&
+  apt-get -qq install -y --reinstall /tmp/tencer.deb >/var/log/tencer-install &&
   apt-get -qq install -y --no-install-recommends \
     man-db bash-completion zsh g++ cmake ninja-build pkg-config >>/var/log/tencer-install'
 inside id -u user >/dev/null 2>&1 || inside useradd -m user
