@@ -5,6 +5,7 @@
 #include <tencer/core/version.hpp>
 
 #include "command.hpp"
+#include "command_actuate.hpp"
 #include "command_export.hpp"
 #include "terminal/command_line.hpp"
 
@@ -49,6 +50,7 @@ int run(int argc, char** argv) {
   add_design(app, chosen);
   add_feasible(app, chosen);
   add_simulate(app, chosen);
+  add_actuate(app, chosen);
   add_check(app, chosen);
   add_view(app, chosen);
   add_picture(app, chosen);

@@ -11,6 +11,7 @@ import { startModes } from './modes.js';
 import { byId, change, page } from './page.js';
 import { startPicking } from './pick.js';
 import { startPlots } from './plots.js';
+import { startPoses } from './poses.js';
 import { startRods } from './rods.js';
 import { chooseThickness, startStage } from './stage.js';
 import { startSupports } from './supports.js';
@@ -36,6 +37,7 @@ function startView() {
   startLabels();
   startLegend();
   startModes();
+  startPoses();
   startPicking(scrollToCable);
   startStage();
   startKeyboard();

@@ -39,7 +39,7 @@ function swing(time) {
   const shape = isShove ? shoved(modes, time)
     : page.mode >= 0 && modes ? modes.shapes[page.mode] : null;
   if (!shape) {
-    if (isBent) {
+    if (isBent && page.pose === 0) {
       const still = design.rods.map((rod) => rod.pose.map(() => [0, 0, 0]));
       bendRods(still, 0);
       bendCables(still, 0);

@@ -16,6 +16,7 @@ export const page = {
   supports: true,
   directors: false,
   mode: -1, // the vibration that is played, or all of them after a shove; -1: none
+  pose: 0, // of those that the structure goes through
 };
 
 const listeners = [];
@@ -32,7 +33,7 @@ export function change(values) {
 
 export const seenDesign = () => designs[page.design];
 export const see = (index) => change({ design: index, over: page.over === index ? -1 : page.over,
-  chosen: null, hovered: null, mode: -1 });
+  chosen: null, hovered: null, mode: -1, pose: 0 });
 
 // What is to be set off: under the pointer, else what was chosen. `kind`: cable, closest or crossing.
 export const markedIndex = (kind) => (page.hovered || page.chosen || {})[kind] ?? -1;

@@ -120,6 +120,17 @@ Json modes_json(const model::Design& design) {
   return {{"hertz", hertz}, {"shapes", shapes}};
 }
 
+Json poses_json(const PageDesign& shown) {
+  Json result = Json::array();
+  for (const PagePose& other : shown.poses) {
+    Json shape = Json::array();
+    for (std::size_t r = 0; r < other.pose.size(); ++r)
+      shape.push_back(points(other.pose[r] - shown.design.pose[r]));
+    result.push_back({{"label", other.label}, {"shape", shape}});
+  }
+  return result;
+}
+
 // Rods over rods as seen from the front, from the first rod's start on.
 Json crossings_json(const model::Design& design, const Eigen::Matrix3d& axes) {
   std::vector<geometry::Polyline> curves;
@@ -171,11 +182,9 @@ std::string page_data(const PageDesign& shown) {
   Json rods = Json::array();
   for (std::size_t r = 0; r < fields.size(); ++r) rods.push_back(rod_json(design, r, fields[r]));
   const Eigen::Matrix3d axes = axes_of(design);
-  const Json drawn{{"axes", axes_json(axes)},
-                   {"rods", rods},
-                   {"closest", closest_json(design)},
-                   {"crossings", crossings_json(design, axes)},
-                   {"modes", modes_json(design)}};
+  const Json drawn{{"axes", axes_json(axes)},         {"rods", rods},
+                   {"closest", closest_json(design)}, {"crossings", crossings_json(design, axes)},
+                   {"modes", modes_json(design)},     {"poses", poses_json(shown)}};
   return Json{{"file", file_json(shown)}, {"drawn", drawn}}.dump();
 }
 

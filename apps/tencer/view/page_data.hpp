@@ -2,16 +2,25 @@
 // about each for the eye.
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <tencer/model/design.hpp>
+#include <vector>
 
 namespace tencer::app {
+
+// A pose that the page can show beside the design's own.
+struct PagePose {
+  std::string label{};
+  std::vector<Eigen::Matrix3Xd> pose{};  // per rod, 3 x n
+};
 
 struct PageDesign {
   const model::Design& design;
   // Its file's, which tells more than is read back: the check, and what fell short. Empty, or of
   // another program: what its file would be is made of the design.
   std::string file_text{};
+  std::vector<PagePose> poses{};  // in the order in which the structure goes through them
 };
 
 // A JSON object: "file", the content of design.json, and "drawn", lengths and forces in the
@@ -24,6 +33,8 @@ struct PageDesign {
 //            the places: "rods" with "s", and "cables"
 //   crossings  of rods, as seen along the axes: "over" and "under", each a rod and s, and the
 //            "height" between them
+//   poses    each a "label" and, per rod and vertex, the "shape" that it is of, less the design's
+//            pose
 //   modes    the lowest vibrations: "hertz" and, per rod and vertex, the "shape"
 std::string page_data(const PageDesign& shown);
 

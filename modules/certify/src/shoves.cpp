@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <tencer/certify/shoves.hpp>
+#include <tencer/certify/strands.hpp>
 #include <tencer/certify/tolerance.hpp>
 #include <tencer/core/error.hpp>
 #include <tencer/equilibrium/inextensible.hpp>
-#include <tencer/geometry/measure.hpp>
 #include <tencer/sensitivity/distance.hpp>
 
 namespace tencer::certify {
@@ -36,52 +36,6 @@ Eigen::VectorXd step_of(const System& system, const VibrationModes& modes, const
         if (const int at = system.position_index(r, v, axis); at >= 0)
           step[at] = push.size / largest * moved[r](axis, v);
   return step;
-}
-
-struct EdgeVertices {
-  int rod = 0;
-  int a = 0;  // its vertices
-  int b = 0;
-};
-
-// Whether two edges that share no vertex come nearer than they move against each other in a step,
-// on the straight way from one place to the other in equal steps.
-bool strands_meet(const model::Structure& structure, const Positions& from, const Positions& to) {
-  constexpr int steps = 16;
-  std::vector<EdgeVertices> edges;
-  for (int r = 0; r < static_cast<int>(from.size()); ++r)
-    for (int j = 0; j < structure.rods[r].edges(); ++j)
-      edges.push_back({r, j, (j + 1) % structure.rods[r].vertices()});
-  const auto move = [&](int rod, int v) -> Eigen::Vector3d {
-    return to[rod].col(v) - from[rod].col(v);
-  };
-  const auto relative = [&](const EdgeVertices& one, const EdgeVertices& other) {
-    double largest = 0;
-    for (const int v : {one.a, one.b})
-      for (const int w : {other.a, other.b})
-        largest = std::max(largest, (move(one.rod, v) - move(other.rod, w)).norm());
-    return largest;
-  };
-  const auto distance = [&](const EdgeVertices& one, const EdgeVertices& other, double t) {
-    const auto at = [&](int rod, int v) -> Eigen::Vector3d {
-      return (1 - t) * from[rod].col(v) + t * to[rod].col(v);
-    };
-    return geometry::segment_approach(at(one.rod, one.a), at(one.rod, one.b),
-                                      at(other.rod, other.a), at(other.rod, other.b))
-        .distance;
-  };
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    for (std::size_t j = i + 1; j < edges.size(); ++j) {
-      const EdgeVertices& one = edges[i];
-      const EdgeVertices& other = edges[j];
-      const bool neighbours = one.rod == other.rod && (one.a == other.b || one.b == other.a);
-      if (neighbours) continue;
-      const double against = relative(one, other);
-      if (distance(one, other, 0) > against) continue;
-      for (int k = 0; k <= steps; ++k)
-        if (distance(one, other, static_cast<double>(k) / steps) < against / steps) return true;
-    }
-  return false;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "taut_linearisation.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -10,25 +11,98 @@
 #include "forces.hpp"
 
 namespace tencer::equilibrium {
+namespace {
+
+// Of a cable's compliance: what tells dependent cables apart.
+constexpr double independent = 1e-12;
+
+// What stands for a taut cable: as stiff as the stiffest edge.
+double spring_stiffness(const model::Structure& structure) {
+  double stiffness = 0;
+  for (const auto& rod : structure.rods)
+    stiffness = std::max(stiffness, rod.section.EA / rod.length() * rod.edges());
+  return stiffness;
+}
+
+}  // namespace
 
 bool TautLinearisation::linearise(System& system, const model::State& state,
                                   const InternalForces& forces) {
-  double stiffness = 0;  // that of the stiffest edge
-  for (const auto& rod : system.structure().rods)
-    stiffness = std::max(stiffness, rod.section.EA / rod.length() * rod.edges());
+  const double stiffness = spring_stiffness(system.structure());
   springs_ = (forces.tension.array() > 0)
                  .select(Eigen::VectorXd::Constant(forces.tension.size(), stiffness), 0);
+  return factorise(system, state, forces) && at_.negative == 0;
+}
+
+bool TautLinearisation::linearise(System& system, const model::State& state,
+                                  const InternalForces& forces, const std::vector<bool>& taut) {
+  const double stiffness = spring_stiffness(system.structure());
+  springs_.resize(static_cast<Eigen::Index>(taut.size()));
+  std::vector<Eigen::Index> held;
+  for (std::size_t c = 0; c < taut.size(); ++c) {
+    springs_[static_cast<Eigen::Index>(c)] = taut[c] ? stiffness : 0;
+    if (taut[c]) held.push_back(static_cast<Eigen::Index>(c));
+  }
+  if (!factorise(system, state, forces)) return false;
+  // As in ConstrainedHessian: a negative eigenvalue of the compliance is one that the springs hide.
+  negative_ = at_.negative;
+  if (held.empty()) return true;
+  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+                                     compliance_(held, held), Eigen::EigenvaluesOnly)
+                                     .eigenvalues();
+  negative_ -=
+      static_cast<int>((values.array() < -independent * values.cwiseAbs().maxCoeff()).count());
+  return true;
+}
+
+bool TautLinearisation::factorise(System& system, const model::State& state,
+                                  const InternalForces& forces) {
   std::vector<springs::Cable> cables = system.structure().cables;
   for (std::size_t c = 0; c < cables.size(); ++c)
     cables[c].stiffness = springs_[static_cast<Eigen::Index>(c)];
   system.set_cables(std::move(cables));
   equilibrium::linearise(system, state, forces, at_);
-  if (!at_.regular || at_.negative > 0) return false;
+  if (!at_.regular) return false;
   border_rigid_motion(system);
   pulls_ = length_gradients(system, state);
   motions_ = pulls_.cols() > 0 ? solve(pulls_) : pulls_;
   compliance_ = pulls_.transpose() * motions_;
   return compliance_.allFinite();
+}
+
+HeldStep TautLinearisation::step(const Eigen::VectorXd& gradient, const Eigen::VectorXd& tensions,
+                                 const Eigen::VectorXd& gap, const Eigen::VectorXd& growth,
+                                 const WayEquation& equation) const {
+  const Eigen::VectorXd free_motion = -solve(gradient).col(0);
+  const Eigen::VectorXd free_growth = pulls_.transpose() * free_motion;
+  std::vector<Eigen::Index> held;
+  for (Eigen::Index c = 0; c < springs_.size(); ++c)
+    if (springs_[c] > 0) held.push_back(c);
+  const auto size = static_cast<Eigen::Index>(held.size());
+  // Of the forces `pull` besides tensions and springs, and the part: motion = free_motion -
+  // motions_ * pull, of which held cables get longer by gap + part * growth.
+  Eigen::MatrixXd matrix(size + 1, size + 1);
+  matrix.topLeftCorner(size, size) = compliance_(held, held);
+  matrix.topLeftCorner(size, size).diagonal().array() +=
+      size > 0 ? independent * compliance_.diagonal().maxCoeff() : 0;
+  matrix.topRightCorner(size, 1) = growth(held);
+  matrix.bottomLeftCorner(1, size) =
+      -(equation.along.transpose() * motions_(Eigen::all, held)).eval();
+  matrix(size, size) = equation.rate;
+  Eigen::VectorXd right(size + 1);
+  right << (free_growth - gap)(held), equation.ahead - equation.along.dot(free_motion);
+  const Eigen::VectorXd solution = matrix.fullPivLu().solve(right);
+  HeldStep result{.motion = free_motion,
+                  .tensions = Eigen::VectorXd::Zero(tensions.size()),
+                  .part = solution[size],
+                  .solved = solution.allFinite()};
+  if (size > 0) result.motion -= motions_(Eigen::all, held) * solution.head(size);
+  const Eigen::VectorXd longer = pulls_.transpose() * result.motion;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const Eigen::Index c = held[static_cast<std::size_t>(i)];
+    result.tensions[c] = tensions[c] + solution[i] + springs_[c] * longer[c];
+  }
+  return result;
 }
 
 void TautLinearisation::border_rigid_motion(const System& system) {
@@ -64,8 +138,6 @@ Eigen::MatrixXd TautLinearisation::solve(const Eigen::MatrixXd& forces) const {
 
 TautStep TautLinearisation::step(const Eigen::VectorXd& gradient, const Eigen::VectorXd& tensions,
                                  const Eigen::VectorXd& gap) const {
-  constexpr double independent =
-      1e-12;  // of a cable's compliance: what tells dependent cables apart
   const Eigen::Index count = tensions.size();
   const Eigen::VectorXd free_motion = -solve(gradient).col(0);
   const Eigen::VectorXd free_growth = pulls_.transpose() * free_motion;

@@ -126,6 +126,12 @@ void TomlTable::only(std::span<const std::string_view> keys) const {
     }
 }
 
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& [key, node] : *table_) keys.emplace_back(key.str());
+  return keys;
+}
+
 bool TomlTable::is_array(std::string_view key) const {
   const toml::node* node = table_->get(key);
   return node && node->is_array();

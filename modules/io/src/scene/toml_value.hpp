@@ -32,6 +32,7 @@ class TomlTable {
   void only(std::initializer_list<std::string_view> keys) const {
     only(std::span<const std::string_view>(keys.begin(), keys.size()));
   }
+  std::vector<std::string> keys() const;  // in order of the alphabet
   bool has(std::string_view key) const { return table_->contains(key); }
   bool is_array(std::string_view key) const;
   bool is_text(std::string_view key) const;

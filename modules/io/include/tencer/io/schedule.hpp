@@ -1,0 +1,16 @@
+// The schedule file, TOML: how the cables of a design are pulled and let go. docs/actuate.md
+// describes it.
+#pragma once
+
+#include <filesystem>
+#include <tencer/core/error.hpp>
+#include <tencer/model/schedule.hpp>
+
+namespace tencer::io {
+
+// For this design, whose unit of length is one of model::length_units(). Errors: "file:line", with
+// the key: a cable that the design has not, a length that is none, or not positive.
+core::Expected<model::Schedule> read_schedule(const std::filesystem::path& path,
+                                              const model::Design& design);
+
+}  // namespace tencer::io
