@@ -59,14 +59,16 @@ std::optional<Row> design_row(const Run& run, const fs::path& folder, const Make
   const ChildEnd end = run_child(
       "/proc/self/exe", arguments,
       {.log = log, .limit = options.limit, .kept = lock.descriptor(), .stop = options.stop});
-  if (options.stop.stop_requested() || end.signal == SIGTERM) return std::nullopt;
+  // Whoever asked the process to end may ask us next: clusters ask all.
+  const bool stopped = end.signal == SIGTERM && !end.timed_out;
+  if (options.stop.stop_requested() || stopped) return std::nullopt;
   if (end.exit_code != 0 && end.exit_code != 3) return failed(run, end, log, options.limit);
   const auto design = io::read_design(design_file);
   if (!design)
     return Row{
         .run = run, .status = "failed", .seconds = end.seconds, .message = design.error().text()};
   const bool interrupted = design->status == model::DesignStatus::interrupted;
-  if (interrupted && !end.timed_out) return std::nullopt;  // whoever stopped it may stop us next
+  if (interrupted && !end.timed_out) return std::nullopt;
   Row row = row_of(run, *design, end.seconds);
   if (interrupted)
     row.message = "interrupted at the time limit of " + number_text(options.limit) + " s";
