@@ -1,5 +1,5 @@
-# cmake -D COMPILER=file -D SOURCE=file -D MODULE=name -D PC_FILES=folder -D VERSION=x.y.z
-#   -D WORK=folder -P check_pkg_config.cmake
+# cmake -D COMPILER=file -D FLAGS=text -D SOURCE=file -D MODULE=name -D PC_FILES=folder
+#   -D VERSION=x.y.z -D WORK=folder -P check_pkg_config.cmake
 #
 # All .pc files there are complete; a program that is compiled and linked with what pkg-config says of
 # the module runs.
@@ -28,7 +28,7 @@ foreach(file IN LISTS files)
 endforeach()
 
 ask(flags --cflags --libs tencer-${MODULE})
-separate_arguments(flags UNIX_COMMAND "${flags}")
+separate_arguments(flags UNIX_COMMAND "${FLAGS} ${flags}")
 execute_process(COMMAND ${COMPILER} -std=c++20 ${SOURCE} ${flags} -o ${WORK}/program
   COMMAND_ERROR_IS_FATAL ANY)
 set(ENV{LD_LIBRARY_PATH} ${PC_FILES}/..) # where the libraries are shared
