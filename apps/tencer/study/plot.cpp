@@ -166,7 +166,7 @@ std::string script(const std::string& name, const CountPlot& plot) {
        << "set offsets graph 0.05, graph 0.05, graph 0.1, 0\n"
        << "set xlabel " << quoted(plot.x_axis) << " noenhanced\nset ylabel "
        << quoted(plot.count_axis) << " noenhanced\n"
-       << "set xtics (" << tics << ")\nset key below\nplot";
+       << "set xtics (" << tics << ")\nset key above\nplot";
   for (std::size_t block = 0; block < plot.curves.size(); ++block) {
     const CountCurve& curve = plot.curves[block];
     text << (block > 0 ? ", \\\n     " : " ") << "data index " << block
