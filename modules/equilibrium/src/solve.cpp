@@ -179,8 +179,7 @@ bool Newton::is_isolated() {
 // Newton step, with at_, still leads on. Balanced forces alone do not mean that the shape is right:
 // rounding of forces along stiff edges may hide that little stiffness holds it elsewhere.
 std::optional<Reason> Newton::conclude(const Point& point) {
-  constexpr double settled = 1e-9;  // turns of edges
-  constexpr double rough = 1e-6;    // more than that is no answer
+  const double rough = std::max(1e-6, options_.max_turn);  // edges that turn by more: no answer
   linearise(system_, point.state, at_);
   ++result_.factorisations;
   result_.negative = at_.negative;
@@ -191,7 +190,7 @@ std::optional<Reason> Newton::conclude(const Point& point) {
   const double turn = largest_rotation(system_, point.state, step);
   const bool halts = turn < near && turn > last_turn_ / 2;
   last_turn_ = turn;
-  if (turn > settled && !halts) return std::nullopt;
+  if (turn > options_.max_turn && !halts) return std::nullopt;
   if (turn > rough) return Reason::uncertain;
   return point.residual <= options_.tolerance ? Reason::converged : Reason::rounding;
 }

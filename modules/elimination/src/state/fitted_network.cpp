@@ -38,8 +38,9 @@ FittedNetwork::FittedNetwork(const network::Network& network, const Requirements
 bool FittedNetwork::restart(const network::Network& network) {
   trial_.system.set_cables(network.structure.cables);
   errors_.deviation = std::numeric_limits<double>::infinity();  // the network is as it is
-  usable_ =
-      solve_trial(network.state, {}, {.tolerance = options_.tolerance, .stop = control_.stop});
+  usable_ = solve_trial(
+      network.state, {},
+      {.tolerance = options_.tolerance, .max_turn = options_.max_turn, .stop = control_.stop});
   if (usable_) accept();
   return usable_;
 }
@@ -258,6 +259,7 @@ bool FittedNetwork::move(const LocalModel& local, const Eigen::VectorXd& step,
   forces.tension.head(requirements_.fixed_cables) = fixed;
   const bool solved = solve_trial(std::move(predicted), soft_,
                                   {.tolerance = options_.tolerance,
+                                   .max_turn = options_.max_turn,
                                    .max_iterations = options_.max_iterations,
                                    .max_path_rotation = options_.max_path_rotation,
                                    .forces = std::move(forces),
@@ -273,6 +275,7 @@ std::optional<double> FittedNetwork::evaluate(std::vector<springs::Cable> cables
   trial_.system.set_cables(std::move(cables));
   const bool solved = solve_trial(std::move(predicted), soft_,
                                   {.tolerance = options_.tolerance,
+                                   .max_turn = options_.max_turn,
                                    .max_iterations = patience * options_.max_iterations,
                                    .max_path_rotation = patience * options_.max_path_rotation,
                                    .stop = control_.stop});

@@ -25,7 +25,8 @@ struct StepOptions {
   double max_damping = 1e3;
   double max_slide = 4.0;          // of an attachment in a step, in edges
   double kept_density = 0.2;       // part of a force density that a step leaves at least
-  double tolerance = 1e-9;         // on the residual of equilibria on the way
+  double tolerance = 1e-6;         // on the residual of equilibria on the way
+  double max_turn = 1e-6;          // of an edge, which the residual leaves open there
   int max_iterations = 12;         // of Newton's method; good steps take 3 to 8
   double max_path_rotation = 0.3;  // radians; good steps seldom turn an edge by as much
   int attempts = 5;                // at a step, each half as far as the last

@@ -35,6 +35,7 @@ void linearise(const System& system, const model::State& state, const InternalFo
 
 struct SolveOptions {
   double tolerance = 1e-10;   // on the residual, see Equilibrium
+  double max_turn = 1e-9;     // of an edge (radians) by the step that would follow
   int max_iterations = 500;   // steps of Newton's method
   double max_rotation = 0.2;  // largest change of an edge in one step, relative to its length
   int patience = 24;          // steps that may pass without a lower energy before a line search
@@ -54,7 +55,7 @@ enum class Reason {
   neutral,    // forces in balance, but some motion other than a rigid one costs nothing, or no more
               // than rounding
   uncertain,  // forces in balance as far as rounding allows, which leaves edges free to turn by
-              // more than 1e-6
+              // more than 1e-6 and max_turn
   iteration_limit,
   path_limit,  // SolveOptions::max_path_rotation was reached
   no_descent,  // no step lowers the energy although forces are not in balance
