@@ -2,6 +2,7 @@
 #include <chrono>
 #include <limits>
 #include <string>
+#include <tencer/core/words.hpp>
 #include <tencer/equilibrium/solve.hpp>
 #include <tencer/model/frames.hpp>
 #include <tencer/model/resolution.hpp>
@@ -214,6 +215,9 @@ Design first_answer(const Task& task, const Outcome& outcome, const RunOptions& 
   std::vector<model::StageRow> checks;
   for (int k = 0, i = outcome.asked; k < max_tries && i >= 0 && i < count; i += step, ++k) {
     Design next = certified(task, outcome.networks[i], options);
+    for (const std::string& shortfall : model::shortfalls(next))
+      say(options, core::Level::debug,
+          core::counted(cable_count(outcome.networks[i]), "cable") + ": " + shortfall);
     const model::Score score = score_of(next);
     const bool better = k > 0 && score.footing > score_of(best).footing &&
                         goal.prefers_footing(score, score_of(best));
