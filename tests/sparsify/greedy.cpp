@@ -34,6 +34,21 @@ TEST_CASE("Pruning leaves an equilibrium in which every cable pulls") {
   }
 }
 
+TEST_CASE("Pruned of what pushes hardest first, rods stay nearer to where they were") {
+  const Model model = linked_ellipses();
+  const Network dense = dense_network(model);
+  const auto target = target_of(model, dense);
+  const auto at_once = prune(dense, target);
+  const auto hardest_first = prune(dense, target, {.hardest_part = 0.5});
+  CHECK(hardest_first.valid());
+  CHECK(all_pull(hardest_first.network));
+  CHECK(hardest_first.trace[0].solves > at_once.trace[0].solves);
+  CHECK(distance_per_vertex(target, hardest_first.network) <
+        distance_per_vertex(target, at_once.network));
+  CHECK_THROWS_AS(prune(dense, target, {.hardest_part = -0.1}), std::invalid_argument);
+  CHECK_THROWS_AS(prune(dense, target, {.hardest_part = 1.1}), std::invalid_argument);
+}
+
 TEST_CASE("Greedy removal stays within its threshold and stops at it") {
   for (const Model& model : {trefoil(), linked_ellipses()}) {
     const Network dense = dense_network(model);

@@ -66,6 +66,7 @@ void StartOptions::validate() const {
             "StartOptions::balances: part and descents must be positive");
   require(min_error_percent > 0 && max_error_percent >= min_error_percent,
           "StartOptions: needs 0 < min_error_percent <= max_error_percent");
+  require(mendable > 0, "StartOptions::mendable must be positive");
   require(min_beam_cables > 0, "StartOptions::min_beam_cables must be positive");
   require(max_seed_order >= 0, "StartOptions::max_seed_order must not be negative");
   require(nearly_symmetric > 0 && nearly_symmetric < 0.05,

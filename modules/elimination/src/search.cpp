@@ -39,46 +39,26 @@ void record(const ParetoArchive& archive, Multistart& multistart, const Problem&
 // All of the search on rods of one resolution; its rows and its best network go to `result`.
 Found search_on(const Problem& problem, const EliminationOptions& options,
                 const network::Control& control, StageResult& result) {
-  // Eliminations of the whole take long and end early when there are many rods.
-  const bool whole_only = problem.symmetry || options.goal.every_number;
-  const int rods = whole_only ? 1 : static_cast<int>(problem.structure.rods.size());
-  const bool many = rods >= options.block.many_rods;
-  std::vector<Start> near;
-  if (rods >= options.block.some_rods)
-    near = balanced_starts(among_neighbours_only(problem), options, control, result);
-  std::vector<Start> full = near;
-  if (!many || near.empty()) full = balanced_starts(problem, options, control, result);
-  if (full.empty()) return {};
-
+  Starts starts = starts_of(problem, options, control, result);
+  if (starts.empty()) return {};
   network::StageRecorder recorder("eliminate", control);
-  Found found{.requirements = requirements_for(full.front().network, problem.target, problem.rules,
+  recorder.add(starts.counts);
+  Found found{.requirements = requirements_for(starts.first(), problem.target, problem.rules,
                                                problem.group(), options)};
   Multistart multistart(*found.requirements, problem.candidates, options, control, recorder);
-  for (Start& start : near)
+  for (Start& start : starts.near)
     start = {.network = eliminate_in_blocks(multistart, start.network), .descents = 2};
-  if (many)
-    for (Start& start : full) start.descents = 1;
-  std::vector<Start> few;
-  const std::vector<symmetry::Group> seeds = symmetry_seeds(problem, options.start);
-  if (!many) {
-    std::vector<const symmetry::Group*> groups;
-    if (problem.symmetry) groups.push_back(problem.group());
-    for (const auto& seed : seeds) groups.push_back(&seed);
-    const int max_cables = std::max(
-        {options.start.min_beam_cables, options.goal.cables, cable_count(result.network) / 2});
-    network::SolveCounts counts;
-    few = symmetric_starts(problem, groups, max_cables, options, control, counts);
-    recorder.add(counts);
-  }
-  std::ranges::move(near, std::back_inserter(few));
+  std::ranges::move(starts.near, std::back_inserter(starts.few));
 
-  ParetoArchive archives[] = {multistart.eliminate_from(full), multistart.eliminate_from(few)};
+  ParetoArchive archives[] = {multistart.eliminate_from(starts.full),
+                              multistart.eliminate_from(starts.few)};
   const auto record_both = [&] {
     for (const ParetoArchive& archive : archives) found.archive.add(archive);
     record(found.archive, multistart, problem, recorder, result);
   };
   record_both();
-  multistart.iterated_local_search(archives, many ? 1 : options.local_search.patience, record_both);
+  multistart.iterated_local_search(archives, starts.many_rods ? 1 : options.local_search.patience,
+                                   record_both);
   return found;
 }
 
@@ -168,7 +148,7 @@ void prolong_best(const ParetoArchive& coarse, const model::Structure& bare, Mul
 }
 
 // Networks found on fewer vertices brought to the rods as they are, until one answers the goal, and
-// a few more.
+// a few more. While none stands those with more cables follow, ever more of them left out.
 void prolong(const ParetoArchive& coarse, const model::Structure& bare, Multistart& multistart,
              ParetoArchive& archive) {
   const EliminationOptions& options = multistart.options();
@@ -181,12 +161,15 @@ void prolong(const ParetoArchive& coarse, const model::Structure& bare, Multista
     if (goal.every_number || loose.met(solution.score())) order.push_back(&solution);
   if (goal.by_number()) std::ranges::reverse(order);
   int spare = 0;
-  for (const Solution* solution : order) {
+  std::size_t step = 1;
+  for (std::size_t i = 0; i < order.size(); i += step) {
     const Solution* best = archive.best_for(goal);
     if (best && !goal.every_number && (goal.by_number() || goal.met(best->score())) &&
-        ++spare > (best->standing.stands() ? 1 : 2) * options.prolong.spare)
-      return;
-    multistart.add_fitted(transferred(solution->network, bare), archive);
+        ++spare > (best->standing.stands() ? 1 : 2) * options.prolong.spare) {
+      if (goal.by_number() || best->standing.stands()) return;
+      step *= 2;
+    }
+    multistart.add_fitted(transferred(order[i]->network, bare), archive);
   }
 }
 

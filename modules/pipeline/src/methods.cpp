@@ -67,7 +67,7 @@ class Stages {
     const sparsify::OuterOptions outer{.second_derivatives = settings_.hessian};
     result_.network.structure.cables = ground_structure::dense_springs(
         problem_.structure, target.points, problem_.candidates, settings_.spring_stiffness);
-    add(sparsify::prune(result_.network, target, control_));
+    add(sparsify::prune(result_.network, target, {}, control_));
     if (goes_on())
       add(sparsify::remove_greedily(result_.network, target,
                                     {.threshold = settings_.greedy_threshold}, control_));

@@ -20,15 +20,17 @@ network::Control rough(network::Control control) {
   return control;
 }
 
-// Solves, takes out what is in compression, and so on until nothing is.
-equilibrium::Reason prune_compressed(SpringSet& set) {
+// Solves, takes out what is in compression (the hardest part of it), and so on until nothing is.
+equilibrium::Reason prune_compressed(SpringSet& set, double hardest_part = 0.0) {
   for (;;) {
     const auto reason = set.solve();
     if (!usable(reason)) return reason;
     const Eigen::VectorXd tensions = set.tensions();
+    if (tensions.size() == 0) return reason;
+    const double most = std::min(0.0, hardest_part * tensions.minCoeff());
     std::vector<int> pushing;
     for (Eigen::Index i = 0; i < tensions.size(); ++i)
-      if (tensions[i] <= 0) pushing.push_back(static_cast<int>(i));
+      if (tensions[i] <= most) pushing.push_back(static_cast<int>(i));
     if (pushing.empty()) return reason;
     set.take_out(pushing);
   }
@@ -54,12 +56,18 @@ int weakest(const Eigen::VectorXd& tensions) {
 
 }  // namespace
 
+void PruneOptions::validate() const {
+  core::require(hardest_part >= 0 && hardest_part <= 1,
+                "PruneOptions::hardest_part must be between 0 and 1");
+}
+
 network::StageResult prune(const network::Network& network, const model::Target& target,
-                           const network::Control& control) {
+                           const PruneOptions& options, const network::Control& control) {
+  options.validate();
   network::StageRecorder recorder("prune", control);
   recorder.report(static_cast<int>(network.structure.cables.size()), 0);
   SpringSet set(network, rough(control));
-  prune_compressed(set);
+  prune_compressed(set, options.hardest_part);
   return result_of(set, target, recorder, control.solve.tolerance);
 }
 

@@ -1,13 +1,18 @@
 #include "multistart/starts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string>
 #include <tencer/ground_structure/beam_search.hpp>
+#include <tencer/ground_structure/dense_springs.hpp>
 #include <tencer/ground_structure/force_balance.hpp>
 #include <tencer/ground_structure/neighbours.hpp>
 #include <tencer/ground_structure/problem_symmetry.hpp>
 #include <tencer/network/parallel.hpp>
+#include <tencer/network/rest_length.hpp>
+#include <tencer/sensitivity/distance.hpp>
+#include <tencer/sparsify/greedy.hpp>
 #include <tencer/symmetry/subgroups.hpp>
 #include <utility>
 
@@ -62,8 +67,8 @@ std::vector<Start> symmetric_starts(const Problem& problem, const symmetry::Grou
   return starts;
 }
 
-}  // namespace
-
+// Networks that balance the forces to parts of the error that is accepted. The first row and
+// network of `result` are of the first that is valid; failing all, of the first.
 std::vector<Start> balanced_starts(const Problem& problem, const EliminationOptions& options,
                                    const network::Control& control, StageResult& result) {
   const auto& balances = options.start.balances;
@@ -89,6 +94,7 @@ std::vector<Start> balanced_starts(const Problem& problem, const EliminationOpti
   return starts;
 }
 
+// Networks of few orbits of each group, side by side. They refer to the groups.
 std::vector<Start> symmetric_starts(const Problem& problem,
                                     std::span<const symmetry::Group* const> groups, int max_cables,
                                     const EliminationOptions& options,
@@ -106,17 +112,88 @@ std::vector<Start> symmetric_starts(const Problem& problem,
   return all;
 }
 
+// Groups that structure and target nearly have: symmetric networks are found sooner and are often
+// good.
 std::vector<symmetry::Group> symmetry_seeds(const Problem& problem, const StartOptions& options) {
   if (problem.symmetry || options.max_seed_order == 0) return {};
   return symmetry::subgroups(ground_structure::detected(problem, options.nearly_symmetric).group,
                              options.max_seed_order);
 }
 
+// The problem without cables between rods that are no neighbours, unless the rules say which rods
+// to join.
 Problem among_neighbours_only(Problem problem) {
   if (!problem.rules.pairs)
     problem.candidates =
         ground_structure::among_neighbours(problem.candidates, problem.target.points);
   return problem;
+}
+
+// The paper's start (sections 5.1 and 5.2): all candidates as springs, less those that push, then
+// less the weakest while the rods stay near. What holds is stable, if not near; eliminations draw
+// it to the target. Takes ten times as long as a balance, and more.
+std::vector<Start> sprung_starts(const Problem& problem, const EliminationOptions& options,
+                                 const network::Control& control, StageResult& result) {
+  Network network = problem.bare();
+  network.structure.cables =
+      ground_structure::dense_springs(problem.structure, problem.target.points, problem.candidates);
+  StageResult pulling = sparsify::prune(network, problem.target, {.hardest_part = 0.5}, control);
+  std::ranges::move(pulling.trace, std::back_inserter(result.trace));
+  if (!pulling.valid()) return {};
+  int vertices = 0;
+  for (const auto& rod : problem.structure.rods) vertices += rod.vertices();
+  // Deviations of this root mean square, as the threshold counts them.
+  const double rms = options.goal.max_error_percent / 200 * model::diagonal(problem.target);
+  const double threshold = rms / (std::sqrt(vertices) * model::total_length(problem.structure));
+  StageResult few =
+      sparsify::remove_greedily(pulling.network, problem.target, {.threshold = threshold}, control);
+  std::ranges::move(few.trace, std::back_inserter(result.trace));
+  if (!few.valid()) return {};
+  result.network = rebased(std::move(few.network), network::stiff_rest_ratio);
+  return {{.network = result.network}};
+}
+
+// Whether one of the networks is as near as an elimination can mend.
+bool any_near(std::span<const Start> starts, const Problem& problem,
+              const EliminationOptions& options) {
+  const double percent = options.start.mendable * options.goal.max_error_percent;
+  return std::ranges::any_of(starts, [&](const Start& start) {
+    return sensitivity::deviation(problem.target, start.network.state).max_percent <= percent;
+  });
+}
+
+}  // namespace
+
+Starts starts_of(const Problem& problem, const EliminationOptions& options,
+                 const network::Control& control, StageResult& result) {
+  // Eliminations of the whole take long and end early when there are many rods.
+  const bool whole_only = problem.symmetry || options.goal.every_number;
+  const int rods = whole_only ? 1 : static_cast<int>(problem.structure.rods.size());
+  Starts starts{.many_rods = rods >= options.block.many_rods};
+  if (rods >= options.block.some_rods)
+    starts.near = balanced_starts(among_neighbours_only(problem), options, control, result);
+  starts.full = starts.near;
+  if (!starts.many_rods || starts.near.empty())
+    starts.full = balanced_starts(problem, options, control, result);
+  if (starts.many_rods) {
+    for (Start& start : starts.full) start.descents = 1;
+    return starts;
+  }
+  starts.symmetries = symmetry_seeds(problem, options.start);
+  std::vector<const symmetry::Group*> groups;
+  if (problem.symmetry) groups.push_back(problem.group());
+  for (const auto& seed : starts.symmetries) groups.push_back(&seed);
+  const int max_cables = std::max(
+      {options.start.min_beam_cables, options.goal.cables, cable_count(result.network) / 2});
+  starts.few = symmetric_starts(problem, groups, max_cables, options, control, starts.counts);
+  // Removing single springs keeps no symmetry, nor cables that are given.
+  const bool springs = !problem.symmetry && problem.structure.cables.empty();
+  if (springs && !any_near(starts.full, problem, options) &&
+      !any_near(starts.few, problem, options))
+    if (auto sprung = sprung_starts(problem, options, control, result);
+        any_near(sprung, problem, options))
+      starts.full = std::move(sprung);
+  return starts;
 }
 
 }  // namespace tencer::elimination

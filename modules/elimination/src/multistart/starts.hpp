@@ -10,26 +10,22 @@
 
 namespace tencer::elimination {
 
-// Networks that balance the forces to parts of the error that is accepted. The first row and
-// network of `result` are of the first that is valid; failing all, of the first.
-std::vector<Start> balanced_starts(const ground_structure::Problem& problem,
-                                   const EliminationOptions& options,
-                                   const network::Control& control, network::StageResult& result);
+struct Starts {
+  std::vector<Start> near{};  // of many rods: cables between neighbours only
+  std::vector<Start> full{};  // the forces balanced by any cables; failing these, springs
+  std::vector<Start> few{};   // of few orbits of the symmetries that the target nearly has
+  bool many_rods = false;
+  network::SolveCounts counts{};  // of `few`, which has no row of its own
 
-// Groups that structure and target nearly have: symmetric networks are found sooner and are often
-// good.
-std::vector<symmetry::Group> symmetry_seeds(const ground_structure::Problem& problem,
-                                            const StartOptions& options);
+  bool empty() const { return full.empty() && few.empty(); }
+  const network::Network& first() const { return (full.empty() ? few : full).front().network; }
 
-// Networks of few orbits of each group, side by side; where its few orbits do not hold, one that
-// balances the forces. They refer to the groups.
-std::vector<Start> symmetric_starts(const ground_structure::Problem& problem,
-                                    std::span<const symmetry::Group* const> groups, int max_cables,
-                                    const EliminationOptions& options,
-                                    const network::Control& control, network::SolveCounts& counts);
+  std::vector<symmetry::Group> symmetries{};  // to which `few` refers
+};
 
-// The problem without cables between rods that are no neighbours, unless the rules say which rods
-// to join.
-ground_structure::Problem among_neighbours_only(ground_structure::Problem problem);
+// Rows of what was done, and the first network of a balance that holds (failing all, the first),
+// go to `result`.
+Starts starts_of(const ground_structure::Problem& problem, const EliminationOptions& options,
+                 const network::Control& control, network::StageResult& result);
 
 }  // namespace tencer::elimination
