@@ -11,6 +11,7 @@ void StepOptions::validate() const {
   require(max_slide >= 0, "StepOptions::max_slide must not be negative");
   require(kept_density > 0 && kept_density < 1, "StepOptions::kept_density must be in (0, 1)");
   require(tolerance > 0, "StepOptions::tolerance must be positive");
+  require(max_turn > 0, "StepOptions::max_turn must be positive");
   require(max_iterations > 0, "StepOptions::max_iterations must be positive");
   require(max_path_rotation > 0, "StepOptions::max_path_rotation must be positive");
   require(attempts > 0, "StepOptions::attempts must be positive");
