@@ -73,6 +73,8 @@ def main():
     scenes = sorted(examples.glob("*/*.toml"))
     for path in scenes:
         content = tomllib.loads(path.read_text())
+        if "step" in content:  # the schedule of an actuation
+            continue
         faults += [f"{path}: {error.message}" for error in validator.iter_errors(content)]
     program = Program(tencer, work)
     page = schema_path.with_name("design-file.md").read_text()

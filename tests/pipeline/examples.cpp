@@ -11,10 +11,16 @@ namespace {
 
 const std::filesystem::path examples = TENCER_EXAMPLES;
 
+// Of an actuation: steps, no rods.
+bool is_schedule(const std::filesystem::path& path) {
+  return io::read_file(path).value().find("[[step]]") != std::string::npos;
+}
+
 std::vector<std::filesystem::path> example_scenes() {
   std::vector<std::filesystem::path> scenes;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(examples))
-    if (entry.path().extension() == ".toml") scenes.push_back(entry.path());
+    if (entry.path().extension() == ".toml" && !is_schedule(entry.path()))
+      scenes.push_back(entry.path());
   std::ranges::sort(scenes);
   return scenes;
 }
