@@ -11,6 +11,7 @@
 
 #include "command.hpp"
 #include "fabricate/sheet.hpp"
+#include "terminal/activity.hpp"
 
 namespace tencer::app {
 namespace {
@@ -35,7 +36,9 @@ core::Expected<ExitCode> run_fabricate(const FabricateRequest& request, const Co
   if (!read) return read.error();
   SheetOptions options = request.options;
   options.paper = request.paper == "letter" ? letter : a4;
+  Activity activity(console, "taking it apart in simulation, for an order of tying");
   const auto sheet = make_sheet(*read, options);
+  activity.end();
   if (!sheet) return core::Error{request.input.string(), sheet.error().text()};
   const std::filesystem::path folder =
       request.output.empty() ? request.input.parent_path() / "sheet" : request.output;

@@ -1,5 +1,6 @@
 // What to cut of cable, in which order to tie it, and labels for the pieces.
 #include <tencer/core/names.hpp>
+#include <tencer/core/words.hpp>
 #include <tencer/fabricate/names.hpp>
 
 #include "drawing/axes.hpp"
@@ -39,10 +40,18 @@ struct Tile {
   double height = 0.0;
 };
 
+// What tying the cable does, in a few words; none while the rods are held.
+std::string step_words(const TyingOrder& order, std::size_t i) {
+  if (i < order.held.size()) return order.rehearsed ? "rods held in shape" : "";
+  const TyingStep& step = order.steps[i - order.held.size()];
+  return "moves " + tenths(step.moved_mm) + " mm, pulls " + significant(step.tension_n) + " N" +
+         (step.parts > 1 ? ", " + std::to_string(step.parts) + " parts before" : "");
+}
+
 void draw_step(Book& book, const Sheet& sheet, const Seen& seen, std::size_t i, const Look& look,
                const Eigen::Vector2d& corner, const Tile& tile) {
-  constexpr double words_height = 11;
-  const int c = sheet.order[i];
+  constexpr double words_height = 14.5;
+  const int c = look.new_cable;
   const fabricate::CableCut& cable = sheet.list.cables[c];
   const Eigen::Vector2d room(tile.width, tile.height - words_height);
   const Eigen::Vector2d inside = room - Eigen::Vector2d(6, 6);
@@ -56,6 +65,54 @@ void draw_step(Book& book, const Sheet& sheet, const Seen& seen, std::size_t i, 
       corner.x(), y + 6.5,
       end_name(cable.a) + " to " + end_name(cable.b) + ", " + tenths(cable.between_knots) + " mm",
       {2.5, false, soft_ink});
+  book.canvas().text(corner.x(), y + 10, step_words(sheet.order, i), {2.5, false, soft_ink});
+}
+
+std::string names_of(const std::vector<int>& cables) {
+  std::vector<std::string> names;
+  for (const int c : cables) names.push_back(cable_name(c));
+  return core::listed(names);
+}
+
+// How far the order is known to go well.
+std::string order_words(const TyingOrder& order) {
+  const std::string red = " In each picture the new cable is red.";
+  if (!order.rehearsed)
+    return "A suggestion: from the first mark of rod A on, always the cable nearest along the rods "
+           "to "
+           "one that is tied. The design does not rest in its pose, so that nothing is known of "
+           "the "
+           "shapes on the way: hold the rods, or hang them up, until the last cable is tied." +
+           red;
+  std::string words =
+      "Found by taking the finished structure apart in simulation, a cable at a time, each let go "
+      "slowly. ";
+  if (order.held.empty())
+    return words +
+           "It stands by itself from the first cable on: tie one after the other. What a step "
+           "moves, "
+           "and the pull that it ends with, are below its picture." +
+           red;
+  const auto count = static_cast<int>(order.held.size());
+  if (order.steps.empty())
+    words +=
+        "There is no order in which it stands before all cables are tied: hold the rods in shape, "
+        "or hang them up, until the last one is. ";
+  else
+    words +=
+        "First tie " + core::counted(count, "cable") + " (" + names_of(order.held) +
+        ") while the rods are held in shape, taped to a drawing or hung up. Then let go: it "
+        "stands, and the others follow one after the other. What a step moves, and the pull that "
+        "it ends with, are below its picture. ";
+  const std::string falls = " it would fall, or could not be followed. ";
+  if (order.would_fall.empty())
+    words += "Without any one of these strands would touch.";
+  else if (order.would_fall.size() == order.held.size())
+    words += "Without any one of these" + falls;
+  else
+    words += "Without " + names_of(order.would_fall) + falls +
+             "Without any other of these strands would touch.";
+  return words + red;
 }
 
 }  // namespace
@@ -93,31 +150,28 @@ void add_cables(Book& book, const Sheet& sheet) {
 }
 
 void add_order(Book& book, const Sheet& sheet) {
-  if (sheet.order.empty()) return;
+  const std::vector<int> order = sheet.order.cables();
+  if (order.empty()) return;
   book.section("Order of tying");
-  book.paragraph(
-      "A suggestion: from the first mark of rod A on, always the cable nearest along the rods to "
-      "one that is tied. Nothing is known of the shapes on the way, and they need not stand: hold "
-      "the "
-      "rods, or hang them up, until the last cable is tied. In each picture the new cable is red.");
+  book.paragraph(order_words(sheet.order));
   constexpr double gap = 6;
   const Seen seen(sheet.solid, oblique_axes(points_of(sheet.solid)));
-  const Tile tile{(book.width() - 2 * gap) / 3, 56};
+  const Tile tile{(book.width() - 2 * gap) / 3, 59.5};
   Look look{.rod_width = 0.55,
             .cable_width = 0.2,
             .starts = false,
             .rod_names = false,
             .anchor_names = false,
             .plain = true,
-            .tied = std::vector<bool>(sheet.order.size(), false)};
+            .tied = std::vector<bool>(order.size(), false)};
   double y = book.y();
-  for (std::size_t i = 0; i < sheet.order.size(); ++i) {
+  for (std::size_t i = 0; i < order.size(); ++i) {
     if (i % 3 == 0) {
       book.need(tile.height);
       y = book.y();
       book.skip(tile.height);
     }
-    look.new_cable = sheet.order[i];
+    look.new_cable = order[i];
     look.tied[look.new_cable] = true;
     const Eigen::Vector2d corner(book.left() + static_cast<double>(i % 3) * (tile.width + gap), y);
     draw_step(book, sheet, seen, i, look, corner, tile);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <tencer/core/names.hpp>
-#include <tencer/fabricate/tying_order.hpp>
 
 #include "fabricate/strips.hpp"
 
@@ -51,7 +50,7 @@ core::Expected<Sheet> make_sheet(const io::CheckedDesign& read, const SheetOptio
   if (!cables) return cables.error();
   sheet.rods = *std::move(rods);
   sheet.cables = *std::move(cables);
-  sheet.order = fabricate::tying_order(sheet.list);
+  sheet.order = tying_order(design, sheet.list);
   const std::span<const geometry::Polyline> curves = sheet.solid.curves;
   sheet.threading = fabricate::threading(curves.first(static_cast<std::size_t>(sheet.solid.rods)));
   return sheet;

@@ -12,6 +12,7 @@
 
 #include "drawing/solid.hpp"
 #include "fabricate/book.hpp"
+#include "fabricate/tying.hpp"
 
 namespace tencer::app {
 
@@ -33,7 +34,7 @@ struct Sheet {
   std::optional<io::FiledCheck> check{};  // not set: nobody checked the design
   PaperSize paper = a4;
   fabricate::CutList list{};
-  std::vector<int> order{};  // in which cables are tied
+  TyingOrder order{};
   fabricate::Threading threading{};
   Offers offers{};
   fabricate::Purchase rods{};

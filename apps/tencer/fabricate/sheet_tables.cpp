@@ -58,9 +58,9 @@ std::array<std::string, 2> end_cells(const springs::End& end) {
 }
 
 std::string cables_table(const Sheet& sheet) {
-  std::vector<int> step(sheet.order.size());
-  for (std::size_t i = 0; i < sheet.order.size(); ++i)
-    step[sheet.order[i]] = static_cast<int>(i) + 1;
+  const std::vector<int> order = sheet.order.cables();
+  std::vector<int> step(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) step[order[i]] = static_cast<int>(i) + 1;
   std::vector<CsvRow> rows;
   for (std::size_t c = 0; c < sheet.list.cables.size(); ++c) {
     const fabricate::CableCut& cable = sheet.list.cables[c];
