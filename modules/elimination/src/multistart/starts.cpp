@@ -156,7 +156,8 @@ std::vector<Start> sprung_starts(const Problem& problem, const EliminationOption
 // Whether one of the networks is as near as an elimination can mend.
 bool any_near(std::span<const Start> starts, const Problem& problem,
               const EliminationOptions& options) {
-  const double percent = options.start.mendable * options.goal.max_error_percent;
+  const double percent = options.start.mendable *
+                         std::max(options.goal.max_error_percent, options.start.max_error_percent);
   return std::ranges::any_of(starts, [&](const Start& start) {
     return sensitivity::deviation(problem.target, start.network.state).max_percent <= percent;
   });

@@ -126,7 +126,8 @@ struct StartOptions {
   // The accepted error is taken to be between these, in %.
   double min_error_percent = 1e-2;
   double max_error_percent = 1.0;
-  // Networks further away than this many accepted errors are no start: then springs are.
+  // Networks further away than this many accepted errors (max_error_percent at the least) are no
+  // start: then springs are.
   double mendable = 1.5;
   int min_beam_cables = 6;  // networks of few candidates have at least up to so many cables
   // Some networks are given the symmetries that the target nearly has to begin with: groups of at
