@@ -4,7 +4,6 @@ include_guard(GLOBAL)
 add_library(tencer_warnings INTERFACE)
 # Sources that are compiled together (TENCER_UNITY) see each other's names: only what hides a
 # parameter or a variable of the same function is a mistake there, which clang does not tell apart.
-set(shadow -Wshadow)
 # With so much in one place g++ 12 also takes sums of strings for overruns (GCC bug 105651).
 set(by_source -Wshadow)
 if(TENCER_UNITY)
