@@ -126,12 +126,19 @@ inline void check_consistent(const model::Design& design) {
 
   REQUIRE_FALSE(design.trace.empty());
   CHECK(design.trace.back().cables == static_cast<int>(cables.size()));
-  for (const model::StageRow& row : design.trace) {
+  for (std::size_t i = 0; i < design.trace.size(); ++i) {
+    const model::StageRow& row = design.trace[i];
     CAPTURE(row.stage);
     CHECK(std::isfinite(row.seconds));
     CHECK(row.seconds > 0);
     CHECK(std::isfinite(row.max_percent));
     CHECK(row.max_percent >= row.rms_percent);
+    if (!design.complete()) continue;
+    // Within an elimination, what stands may have more cables than what does not.
+    CHECK(row.cables <= design.trace.front().cables);
+    if (i > 0 && row.stage != "settle" && row.stage != "fit" &&
+        row.stage != design.trace[i - 1].stage)
+      CHECK(row.cables <= design.trace[i - 1].cables);
   }
 }
 
