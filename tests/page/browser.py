@@ -146,9 +146,9 @@ class Browser:
         return self.driver.execute_async_script(
             "window.saved.at(-1).blob.text().then(arguments[0])")
 
-    def wait(self, script):
+    def wait(self, script, *arguments):
         for _ in range(200):
-            if self.run(script):
+            if self.run(script, *arguments):
                 return
             self.frame()
         raise AssertionError(f"never so: {script}")
