@@ -117,9 +117,6 @@ function(tencer_add_module name)
     POSITION_INDEPENDENT_CODE ON
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-  if(TENCER_UNITY)
-    set_target_properties(tencer_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-  endif()
   tencer_precompile(tencer_${name} modules ${TENCER_PRECOMPILED})
   target_link_libraries(tencer_${name}
     PUBLIC Eigen3::Eigen

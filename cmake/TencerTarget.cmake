@@ -2,11 +2,11 @@
 include_guard(GLOBAL)
 
 add_library(tencer_warnings INTERFACE)
-# Sources that are compiled together (TENCER_UNITY) see each other's names: only what hides a
+# Sources that are compiled together (CMAKE_UNITY_BUILD) see each other's names: only what hides a
 # parameter or a variable of the same function is a mistake there, which clang does not tell apart.
 # With so much in one place g++ 12 also takes sums of strings for overruns (GCC bug 105651).
 set(by_source -Wshadow)
-if(TENCER_UNITY)
+if(CMAKE_UNITY_BUILD)
   set(by_source $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local;-Wno-array-bounds;-Wno-stringop-overflow;-Wno-restrict>)
 endif()
 target_compile_options(tencer_warnings INTERFACE

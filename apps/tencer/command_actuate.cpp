@@ -15,7 +15,7 @@
 namespace tencer::app {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* actuate_examples = R"(Examples:
   tencer actuate gripper/design.json grip.toml             what happens, in words
   tencer actuate gripper/design.json grip.toml -o moves    and every pose, as a page, OBJ and CSV
 
@@ -68,7 +68,7 @@ core::Expected<ExitCode> run_actuate(const ActuateRequest& request, const Consol
 
 void add_actuate(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("actuate", "Pull cables, and see what the design does");
-  command->footer(examples);
+  command->footer(actuate_examples);
   const auto request = std::make_shared<ActuateRequest>();
   command->add_option("DESIGN", request->input, "Design (design.json), or a published model")
       ->required();

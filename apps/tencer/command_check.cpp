@@ -12,7 +12,7 @@
 namespace tencer::app {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* check_examples = R"(Examples:
   tencer check knot/design.json                        cables cut to 1 mm and tied to 2 mm
   tencer check knot/design.json --length-error 0.5 --attachment-error 1 --max-deviation 5mm
   tencer check knot/design.json --json                 for programs
@@ -65,7 +65,7 @@ core::Expected<ExitCode> run_check(CheckRequest request, const Console& console)
 
 void add_check(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("check", "Find out whether a design can be built");
-  command->footer(examples);
+  command->footer(check_examples);
   const auto request = std::make_shared<CheckRequest>();
   pipeline::CheckOptions& options = request->options;
   command->add_option("DESIGN", request->input, "Design (design.json), or a published model")

@@ -14,7 +14,7 @@
 namespace tencer::app {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* design_examples = R"(Examples:
   tencer design curve.obj                    defaults; the result is in curve-design/
   tencer design scene.toml -o result         rods, sections, anchors and rules from a scene file
   tencer design scene.toml --dry-run         what this scene needs, and what is left out
@@ -122,7 +122,7 @@ core::Expected<ExitCode> run_design(const DesignRequest& request, const Console&
 void add_design(CLI::App& app, Command& chosen) {
   CLI::App* command =
       app.add_subcommand("design", "Design cables that hold rods in a target shape");
-  command->footer(examples);
+  command->footer(design_examples);
   const auto request = std::make_shared<DesignRequest>();
   add_design_options(*command, request);
   command->callback([&chosen, request] {

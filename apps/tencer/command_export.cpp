@@ -10,7 +10,7 @@
 namespace tencer::app {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* export_examples = R"(Examples:
   tencer export knot/design.json -o knot.obj     lines, an object a rod and a cable (Rhino, Blender)
   tencer export knot/design.json -o knot.glb     tubes, in metres
   tencer export knot/design.json -o knot.vtp     with curvature, strain, tension, deviation (ParaView)
@@ -44,7 +44,7 @@ core::Expected<ExitCode> run_export(const ExportRequest& request, const Console&
 
 void add_export(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("export", "Write a design for other programs");
-  command->footer(examples);
+  command->footer(export_examples);
   const auto request = std::make_shared<ExportRequest>();
   command->add_option("DESIGN", request->input, "Design (design.json), or a published model")
       ->required();

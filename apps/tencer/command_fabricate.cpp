@@ -16,7 +16,7 @@
 namespace tencer::app {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* fabricate_examples = R"(Examples:
   tencer fabricate knot/design.json                         sheet.pdf, strips and tables in knot/sheet
   tencer fabricate knot/design.json -o bench --paper letter
   tencer fabricate knot/design.json --joint 30 --knot 80    overlap of a closed rod's ends; per knot
@@ -91,7 +91,7 @@ void add_length(CLI::App& command, const std::string& option, bool zero,
 
 void add_fabricate(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("fabricate", "Print what is needed to build a design");
-  command->footer(examples);
+  command->footer(fabricate_examples);
   const auto request = std::make_shared<FabricateRequest>();
   fabricate::Allowances& allowances = request->options.allowances;
   Offers& offers = request->options.offers;

@@ -16,7 +16,7 @@
 namespace tencer::app {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* feasible_examples = R"(Examples:
   tencer feasible curve.obj                  can a rod be held in this shape within 1 % of its size?
   tencer feasible scene.toml --max-error 0.5
   tencer feasible curve.obj -o result        also the motion that proves that it cannot, drawn
@@ -62,7 +62,7 @@ core::Expected<ExitCode> run_feasible(const FeasibleRequest& request, const Cons
 void add_feasible(CLI::App& app, Command& chosen) {
   CLI::App* command =
       app.add_subcommand("feasible", "Find out whether cables can hold rods in a shape at all");
-  command->footer(examples);
+  command->footer(feasible_examples);
   const auto request = std::make_shared<FeasibleRequest>();
   command->add_option("-o,--output", request->output,
                       "Folder for feasible.json and picture.svg [none]");

@@ -9,7 +9,7 @@
 namespace tencer::app {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* picture_examples = R"(Examples:
   tencer picture knot/design.json -o knot.pdf
   tencer picture knot/design.json -o knot.png --view oblique,front,side,top
   tencer picture knot/design.json -o knot.svg --caption "Figure 1: a trefoil" --no-numbers
@@ -46,7 +46,7 @@ core::Expected<ExitCode> run_picture(const PictureRequest& request, const Consol
 
 void add_picture(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("picture", "Draw a design for print");
-  command->footer(examples);
+  command->footer(picture_examples);
   const auto request = std::make_shared<PictureRequest>();
   command->add_option("DESIGN", request->input, "Design (design.json), or a published model")
       ->required();

@@ -18,7 +18,7 @@
 namespace tencer::app {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* simulate_examples = R"(Examples:
   tencer simulate knot/design.json                            from the pose, inextensible cables
   tencer simulate knot/design.json --from target --cables springs -o settled
   tencer simulate knot/design.json -o fine --refine           with rods of four times the vertices
@@ -121,7 +121,7 @@ core::Expected<ExitCode> run_simulate(const SimulateRequest& request, const Cons
 
 void add_simulate(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("simulate", "Find where a design comes to rest");
-  command->footer(examples);
+  command->footer(simulate_examples);
   const auto request = std::make_shared<SimulateRequest>();
   command->add_option("DESIGN", request->input, "Design (design.json), or a published model")
       ->required();

@@ -9,7 +9,7 @@
 namespace tencer::app {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* stress_examples = R"(Examples:
   tencer stress              every case, in a minute or so
   tencer stress --markdown   the same as the tables of docs/stability.md
 
@@ -28,7 +28,7 @@ core::Expected<ExitCode> run_stress(stress::Format format, const Console& consol
 
 void add_stress(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("stress", "Try the solvers on stiff and extreme cases");
-  command->footer(examples);
+  command->footer(stress_examples);
   const auto markdown = std::make_shared<bool>(false);
   command->add_flag("--markdown", *markdown, "Print the tables of docs/stability.md");
   command->callback([&chosen, markdown] {

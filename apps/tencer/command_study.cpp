@@ -26,7 +26,7 @@
 namespace tencer::app {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* study_examples = R"(Examples:
   tencer study examples/paper/*.toml -o study           every scene by both methods
   tencer study knot.obj -o study --methods dense-springs --optimizers ipopt,mma,ccsaq
   tencer study knot.obj -o study --resolutions 0.5,1,2  with half and twice the vertices as well
@@ -124,16 +124,16 @@ core::Expected<ExitCode> list_runs(std::span<const study::Run> runs,
   return ExitCode::ok;
 }
 
-std::string joined(const std::vector<std::string>& words) {
+std::string comma_list(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
   return text;
 }
 
-std::string joined(const std::vector<double>& numbers) {
+std::string comma_list(const std::vector<double>& numbers) {
   std::vector<std::string> words;
   std::ranges::transform(numbers, std::back_inserter(words), study::number_text);
-  return joined(words);
+  return comma_list(words);
 }
 
 core::Expected<ExitCode> submit_runs(const StudyRequest& request, int runs,
@@ -149,10 +149,10 @@ core::Expected<ExitCode> submit_runs(const StudyRequest& request, int runs,
     if (!value.empty()) submission.options.insert(submission.options.end(), {option, value});
   };
   add("--output", request.output.string());
-  add("--methods", joined(request.choice.methods));
-  add("--optimizers", joined(request.optimizers));
-  add("--resolutions", joined(request.choice.resolutions));
-  add("--max-errors", joined(request.choice.max_errors));
+  add("--methods", comma_list(request.choice.methods));
+  add("--optimizers", comma_list(request.optimizers));
+  add("--resolutions", comma_list(request.choice.resolutions));
+  add("--max-errors", comma_list(request.choice.max_errors));
   add("--time-limit", study::number_text(request.make.limit));
   add("--threads", std::to_string(submission.threads));
   if (request.make.again) submission.options.emplace_back("--again");
@@ -288,7 +288,7 @@ void add_parts(CLI::App& command, StudyRequest& request) {
 void add_study(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand(
       "study", "Compare methods, optimizers and resolutions: error against run time");
-  command->footer(examples);
+  command->footer(study_examples);
   const auto request = std::make_shared<StudyRequest>();
   command->add_option("SCENES", request->choice.scenes, "Scenes (.toml) or target curves");
   command->add_option("-o,--output", request->output, "Folder for table, pictures and designs")

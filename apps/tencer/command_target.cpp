@@ -13,7 +13,7 @@
 namespace tencer::app {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* target_examples = R"(Examples:
   tencer target trefoil-hypotrochoid -o trefoil.obj
   tencer target knot-5_2 --vertices 200 -o knot.obj
   tencer target torus-knot --p 5 --q 3 --vertices 201 -o knot.obj
@@ -114,7 +114,7 @@ void add_random_knot(CLI::App& target, Command& chosen) {
 
 void add_target(CLI::App& app, Command& chosen) {
   CLI::App* target = app.add_subcommand("target", "Write a target curve of a built-in family");
-  target->footer(examples);
+  target->footer(target_examples);
   target->require_subcommand(1);
   for (const curves::Family& family : curves::families()) add_family(*target, family, chosen);
   add_random_knot(*target, chosen);

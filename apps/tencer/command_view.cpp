@@ -16,7 +16,7 @@
 namespace tencer::app {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* view_examples = R"(Examples:
   tencer view knot/design.json --open                 look at it in the browser
   tencer view before/design.json after/design.json -o both.html
                                                       two designs, one laid over the other
@@ -81,7 +81,7 @@ core::Expected<ExitCode> run_view(const ViewRequest& request, const Console& con
 
 void add_view(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("view", "Write a page to look at designs in a browser");
-  command->footer(examples);
+  command->footer(view_examples);
   const auto request = std::make_shared<ViewRequest>();
   command->add_option("DESIGN", request->inputs, "Designs (design.json), or published models")
       ->required();

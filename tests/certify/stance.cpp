@@ -16,7 +16,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-const Eigen::VectorXd weight = Eigen::VectorXd::Constant(1, 1e-3);
+const Eigen::VectorXd own_weight = Eigen::VectorXd::Constant(1, 1e-3);
 
 Eigen::Matrix3d feet_of(const certify::Stance& stance, const model::State& state) {
   Eigen::Matrix3d feet;
@@ -62,13 +62,13 @@ TEST_CASE("a structure stands on vertices that all others are above, its centre 
     const Eigen::Matrix3Xd x = knot(tilt);
     const model::Structure structure = closed_rod(x);
     const model::State state = model::make_state(structure, {x});
-    const auto stance = certify::stance(structure, state, weight);
+    const auto stance = certify::stance(structure, state, own_weight);
     REQUIRE(stance);
     const Eigen::Matrix3d feet = feet_of(*stance, state);
     const Eigen::RowVectorXd below =
         stance->down.transpose() * (state[0].x.colwise() - feet.col(0));
     CHECK(below.maxCoeff() < 1e-9);
-    const Eigen::Vector3d centre = certify::centre_of_mass(structure, state, weight);
+    const Eigen::Vector3d centre = certify::centre_of_mass(structure, state, own_weight);
     // The centre as a sum of the feet and a part of `down`.
     Eigen::Matrix4d rows = Eigen::Matrix4d::Zero();
     rows << feet, stance->down, 1, 1, 1, 0;
@@ -88,7 +88,7 @@ TEST_CASE("a cube's edges fall onto a face, wherever they are let go") {
         Eigen::AngleAxisd(tilt, Eigen::Vector3d(1, 0.3, 0).normalized()).toRotationMatrix();
     const model::Structure structure = closed_rod(x);
     const auto stance =
-        certify::stance(structure, model::make_state(structure, {turn * x}), weight);
+        certify::stance(structure, model::make_state(structure, {turn * x}), own_weight);
     REQUIRE(stance);
     CHECK((turn.transpose() * stance->down).cwiseAbs().maxCoeff() == Approx(1));
   }
@@ -99,7 +99,7 @@ TEST_CASE("what lies in an upright plane does not stand") {
       Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitX()).toRotationMatrix() *
       ring(20);
   const model::Structure structure = closed_rod(upright);
-  CHECK_FALSE(certify::stance(structure, model::make_state(structure, {upright}), weight));
+  CHECK_FALSE(certify::stance(structure, model::make_state(structure, {upright}), own_weight));
 }
 
 TEST_CASE("a ring on three feet sags to first order, and settles under more weight") {
@@ -108,14 +108,14 @@ TEST_CASE("a ring on three feet sags to first order, and settles under more weig
   const model::Structure structure = closed_rod(x);
   const model::State state = model::make_state(structure, {x});
   const certify::Stance stance{.feet = {{{0, 0}, {0, 20}, {0, 40}}}};
-  const auto sag_of = [&](double heavy) {
+  const auto sag_of = [&](double own_weight) {
     return certify::standing_sag(structure, state, Eigen::VectorXd(0),
-                                 Eigen::VectorXd::Constant(1, heavy), stance);
+                                 Eigen::VectorXd::Constant(1, own_weight), stance);
   };
-  const auto settled_under = [&](double heavy) {
+  const auto settled_under = [&](double own_weight) {
     model::Structure loaded = structure;
     for (const auto& foot : stance.feet) loaded.pins.push_back({.rod = 0, .vertex = foot.vertex});
-    loaded.line_loads = {{.rod = 0, .force_per_length = {0, 0, -heavy}}};
+    loaded.line_loads = {{.rod = 0, .force_per_length = {0, 0, -own_weight}}};
     const auto settled = equilibrium::relax_inextensible(loaded, state);
     REQUIRE(settled.equilibrium.usable());
     return (settled.equilibrium.state[0].x - x).colwise().norm().maxCoeff();
@@ -127,10 +127,10 @@ TEST_CASE("a ring on three feet sags to first order, and settles under more weig
   CHECK_THAT(light.deviation, WithinRel(settled_under(1e-4), 1e-3));
   CHECK_THAT(sag_of(2e-4).deviation, WithinRel(2 * light.deviation, 1e-9));
 
-  const double heavy = 1e-4 * 0.1 / light.deviation;
-  const auto far = sag_of(heavy);
+  const double own_weight = 1e-4 * 0.1 / light.deviation;
+  const auto far = sag_of(own_weight);
   REQUIRE(far.computed);
   CHECK(far.settled);
   CHECK_FALSE(far.falls);
-  CHECK_THAT(far.deviation, WithinRel(settled_under(heavy), 1e-6));
+  CHECK_THAT(far.deviation, WithinRel(settled_under(own_weight), 1e-6));
 }

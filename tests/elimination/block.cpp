@@ -18,7 +18,7 @@ namespace {
 constexpr double soft = BlockOptions{}.soft_rest_ratio;
 
 // In equilibrium, with cables from each link to the next.
-Network balanced(const Model& model) {
+Network balanced_links(const Model& model) {
   auto problem = problem_of(model);
   problem.candidates = ground_structure::among_neighbours(problem.candidates, model.positions);
   const auto result = ground_structure::force_balance(problem, nullptr);
@@ -43,7 +43,7 @@ TEST_CASE("Blocks of a chain are its pairs of links, and what is tied to nothing
 TEST_CASE("A block is in equilibrium while other rods are held, and put back changes nothing") {
   const Model model = chain(3, 32);
   const model::Target target{.points = model.positions};
-  const Network whole = balanced(model);
+  const Network whole = balanced_links(model);
   const Block block = block_of(whole, target, {}, {1, 2}, soft);
   REQUIRE(block.fixed_cables > 0);
   CHECK_FALSE(block.target.align);
@@ -62,7 +62,7 @@ TEST_CASE("A block is in equilibrium while other rods are held, and put back cha
 TEST_CASE("What is put back of a block replaces its cables and its rods only") {
   const Model model = chain(3, 32);
   const model::Target target{.points = model.positions};
-  const Network whole = balanced(model);
+  const Network whole = balanced_links(model);
   const Block block = block_of(whole, target, {}, {0, 1}, soft);
   Network changed = block.network;
   REQUIRE(cable_count(changed) > block.fixed_cables + 1);

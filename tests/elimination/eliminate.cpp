@@ -12,13 +12,13 @@ using network::Network;
 
 namespace {
 
-struct Start {
+struct Balance {
   ground_structure::Problem problem{};
   Network network{};
 };
 
-Start balanced(const Model& model, const model::Rules& rules = {}) {
-  Start start{.problem = problem_of(model, rules)};
+Balance balance_of(const Model& model, const model::Rules& rules = {}) {
+  Balance start{.problem = problem_of(model, rules)};
   start.network = ground_structure::force_balance(start.problem, nullptr).network;
   return start;
 }
@@ -27,7 +27,7 @@ Start balanced(const Model& model, const model::Rules& rules = {}) {
 
 TEST_CASE(
     "Elimination leaves few cables within the tolerance, all pulling, in stable equilibrium") {
-  const Start start = balanced(trefoil());
+  const Balance start = balance_of(trefoil());
   const auto result = eliminate(start.network, start.problem, {.goal = {.max_error_percent = 1.0}});
   CHECK(result.stage.valid());
   const auto deviation = sensitivity::deviation(start.problem.target, result.stage.network.state);
@@ -36,7 +36,7 @@ TEST_CASE(
 }
 
 TEST_CASE("The number of cables asked for is not exceeded") {
-  const Start start = balanced(trefoil());
+  const Balance start = balance_of(trefoil());
   const auto result = eliminate(start.network, start.problem, {.goal = {.cables = 12}});
   CHECK(result.stage.valid());
   CHECK(cable_count(result.stage.network) <= 12);
@@ -44,7 +44,7 @@ TEST_CASE("The number of cables asked for is not exceeded") {
 }
 
 TEST_CASE("More cables are closer in the trade-off, and every network in it is valid") {
-  const Start start = balanced(trefoil());
+  const Balance start = balance_of(trefoil());
   const auto result = eliminate(start.network, start.problem,
                                 {.goal = {.max_error_percent = 1.0, .every_number = true}});
   REQUIRE(result.solutions.size() > 4);
@@ -60,7 +60,7 @@ TEST_CASE("More cables are closer in the trade-off, and every network in it is v
 }
 
 TEST_CASE("The result does not depend on the number of threads") {
-  const Start start = balanced(trefoil(40));
+  const Balance start = balance_of(trefoil(40));
   std::vector<Network> results;
   for (const int threads : {1, 2})
     results.push_back(eliminate(start.network, start.problem,
@@ -75,7 +75,7 @@ TEST_CASE("Elimination keeps to the rules") {
   const Model model = linked_ellipses();
   model::Rules rules{.pairs = std::vector<model::RodPair>{{0, 1}}};
   rules.max_cable_length = 0.6;
-  const Start start = balanced(model, rules);
+  const Balance start = balance_of(model, rules);
   const auto result = eliminate(start.network, start.problem, {.goal = {.max_error_percent = 2.0}});
   CHECK(result.stage.valid());
   CHECK(cable_count(result.stage.network) < cable_count(start.network));
@@ -98,7 +98,7 @@ TEST_CASE("Orbits stay together") {
 }
 
 TEST_CASE("A network that cannot be brought within the tolerance is told by its distance") {
-  const Start start = balanced(trefoil(40));
+  const Balance start = balance_of(trefoil(40));
   const auto result =
       eliminate(start.network, start.problem, {.goal = {.max_error_percent = 1e-7}});
   CHECK(result.stage.valid());
@@ -107,7 +107,7 @@ TEST_CASE("A network that cannot be brought within the tolerance is told by its 
 }
 
 TEST_CASE("A number of cables that cannot be reached leaves the fewest there are") {
-  const Start start = balanced(trefoil(40));
+  const Balance start = balance_of(trefoil(40));
   const auto result =
       eliminate(start.network, start.problem, {.goal = {.max_error_percent = 0.01, .cables = 1}});
   CHECK(result.stage.valid());

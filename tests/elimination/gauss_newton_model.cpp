@@ -58,11 +58,11 @@ GaussNewtonModel model_of(const Case& made, const Norm& norm = {}) {
 }
 
 // The objective with norm {1, 2}: the mean of |r_i|^2 over the vertices, and the further squares.
-struct Objective {
+struct FullObjective {
   Eigen::MatrixXd rows;
   Eigen::VectorXd values;
 
-  explicit Objective(const Case& made) {
+  explicit FullObjective(const Case& made) {
     const double vertices = static_cast<double>(made.local.distance.residual.size()) / 3;
     const Eigen::Index n = made.local.distance.residual.size();
     rows.resize(n + made.further.value.size(), made.local.ties.cols());
@@ -74,7 +74,7 @@ struct Objective {
 };
 
 // argmin |values + rows z|^2 + sum damping z^2 under equalities a z = b, by its KKT system.
-Eigen::VectorXd constrained(const Objective& objective, const Eigen::VectorXd& damping,
+Eigen::VectorXd constrained(const FullObjective& objective, const Eigen::VectorXd& damping,
                             const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
   const Eigen::Index n = damping.size();
   Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(n + a.rows(), n + a.rows());
@@ -93,7 +93,7 @@ TEST_CASE("the predicted cost of a removal is that of the refit with the cable's
   for (const unsigned seed : {1u, 2u, 3u}) {
     // Without damping the prediction is exact.
     const Case made = random_case(seed, 20, 4, 1e-13);
-    const Objective objective(made);
+    const FullObjective objective(made);
     const Eigen::VectorXd costs = model_of(made).removal_costs();
     for (Eigen::Index o = 0; o < 4; ++o) {
       const Eigen::VectorXd refit =
@@ -108,7 +108,7 @@ TEST_CASE("a step takes the densities asked for to zero, and all others are refi
   const Case made = random_case(4, 20, 5, 1e-3);
   Case unbounded = made;
   unbounded.bounds.lower.setConstant(-1e6);
-  const Objective objective(made);
+  const FullObjective objective(made);
   const std::vector<int> out{1, 3};
   const Eigen::VectorXd step = model_of(unbounded).step(out);
   const Eigen::VectorXd expected = constrained(
@@ -125,7 +125,7 @@ TEST_CASE("a step within bounds solves the quadratic program") {
   for (const unsigned seed : {5u, 6u, 7u, 8u}) {
     Case made = random_case(seed, 12, 4, 1e-2);
     made.bounds.lower = -0.05 * made.local.density;  // tight, so that bounds matter
-    const Objective objective(made);
+    const FullObjective objective(made);
     const auto value = [&](const Eigen::VectorXd& z) {
       return objective(z) + made.damping.dot(z.cwiseAbs2());
     };
@@ -148,14 +148,14 @@ TEST_CASE("a step within bounds solves the quadratic program") {
 
 TEST_CASE("the gain of a new variable is what the objective falls by, all others refitted") {
   const Case made = random_case(9, 20, 3, 1e-2);
-  const Objective objective(made);
+  const FullObjective objective(made);
   Eigen::VectorXd column = Numbers(10).matrix(60, 1);
   const auto gain_of = [&](const Eigen::VectorXd& rates) { return model_of(made).gain(rates); };
   if (gain_of(column).value == 0) column = -column;  // it would have to be negative
   const auto gain = gain_of(column);
   REQUIRE(gain.value > 0);
   // The same with the variable in the problem, without damping of its own.
-  Objective larger = objective;
+  FullObjective larger = objective;
   larger.rows.conservativeResize(Eigen::NoChange, objective.rows.cols() + 1);
   larger.rows.rightCols(1).setZero();
   larger.rows.rightCols(1).topRows(60) = column / std::sqrt(20.0);

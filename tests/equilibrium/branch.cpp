@@ -3,31 +3,22 @@
 #include <tencer/equilibrium/inextensible.hpp>
 #include <tencer/equilibrium/path.hpp>
 
+#include "fixtures/bow.hpp"
 #include "models.hpp"
 
 using namespace tencer;
 using namespace tencer::equilibrium;
+using fixtures::Held;
+using fixtures::settled;
 
 namespace {
-
-struct Standing {
-  model::Structure structure;
-  model::State state;
-  Eigen::VectorXd tensions;
-};
-
-Standing settled(model::Structure structure, const Eigen::Matrix3Xd& x) {
-  auto found = relax_inextensible(structure, model::make_state(structure, {x}));
-  REQUIRE(found.equilibrium.usable());
-  return {std::move(structure), std::move(found.equilibrium.state), std::move(found.tensions)};
-}
 
 constexpr int arch_vertices = 41;
 constexpr double span = 0.995;
 
 // A rod between hinges nearer to each other than it is long, bent upwards, a string at arc length s
 // that holds it 2 % below where it would be, from an anchor below.
-Standing arch_on_string(double s) {
+Held arch_on_string(double s) {
   const int n = arch_vertices;
   model::Structure arch{.rods = {models::slender_rod(false, n, 1.0, 1e3)},
                         .anchors = Eigen::Vector3d(s * span, -2, 0),
@@ -50,7 +41,7 @@ std::vector<const BranchPoint*> with(const Branch& branch, Passing passing) {
   return found;
 }
 
-Branch follow(const Standing& start, double length, const BranchOptions& options = {}) {
+Branch follow(const Held& start, double length, const BranchOptions& options = {}) {
   return follow_branch(start.structure, start.state, start.tensions,
                        Eigen::VectorXd::Constant(1, length), options);
 }
@@ -64,8 +55,8 @@ TEST_CASE("a straight rod pulled together by a string buckles at Euler's load") 
       .cables = {{.a = springs::OnRod{0, 0.0}, .b = springs::OnRod{0, 1.0}, .rest_length = 1}},
       .planar = true};
   const double EA = strut.rods[0].section.EA;
-  const Standing start{strut, model::make_state(strut, {models::straight(n, 1 - 1 / EA)}),
-                       Eigen::VectorXd::Ones(1)};
+  const Held start{strut, model::make_state(strut, {models::straight(n, 1 - 1 / EA)}),
+                   Eigen::VectorXd::Ones(1)};
   const Branch branch = follow(start, 1 - 20 / EA);
   REQUIRE(branch.end == BranchEnd::arrived);
   const auto buckles = with(branch, Passing::branching);
@@ -77,7 +68,7 @@ TEST_CASE("a straight rod pulled together by a string buckles at Euler's load") 
 }
 
 TEST_CASE("an arch pulled down in its middle gives way to its second mode") {
-  const Standing start = arch_on_string(0.5);
+  const Held start = arch_on_string(0.5);
   const double height = (start.structure.cables[0].rest_length - 2) / 0.98;
   const Branch branch = follow(start, 2 + 0.8 * height, {.max_step = 0.02, .stable_only = true});
   REQUIRE(branch.end == BranchEnd::unstable);
@@ -89,7 +80,7 @@ TEST_CASE("an arch pulled down in its middle gives way to its second mode") {
 }
 
 TEST_CASE("where a string goes slack at an unstable pose the way turns back") {
-  const Standing start = arch_on_string(0.475);
+  const Held start = arch_on_string(0.475);
   const double length = start.structure.cables[0].rest_length;
   const Branch branch = follow(start, 2 - 0.5 * (length - 2), {.max_step = 0.01});
   const auto turns = with(branch, Passing::turning);
@@ -105,7 +96,7 @@ TEST_CASE("a branch goes on around its turning points, and costs the work of its
   // The string goes to the middle of another rod, a soft spring, whose ends two strings pull down.
   const int n = 21;
   const double depth = 0.3, half = 0.25;
-  Standing start = arch_on_string(0.475);
+  Held start = arch_on_string(0.475);
   model::Structure two = start.structure;
   two.rods.push_back(models::slender_rod(false, n, 2 * half, 1e3));
   two.rods[1].section.EI1 = two.rods[1].section.EI2 = 0.05;
@@ -153,7 +144,7 @@ TEST_CASE("a branch goes on around its turning points, and costs the work of its
 
 TEST_CASE("frames are at equal parts of the way, and a ring leaves its plane where it does") {
   model::Structure ring = models::ring_with_cable(60, 0.0, 0.95 / std::numbers::pi);
-  const Standing start = settled(ring, models::polygon(60, 1.0));
+  const Held start = settled(ring, models::polygon(60, 1.0));
   const Branch branch = follow(start, 0.3 / std::numbers::pi, {.frames = 5});
   REQUIRE(branch.end == BranchEnd::arrived);
   std::vector<double> frames;
@@ -169,7 +160,7 @@ TEST_CASE("frames are at equal parts of the way, and a ring leaves its plane whe
     model::Structure flat = ring;
     flat.cables[0].rest_length = (0.95 - 0.65 * part) / std::numbers::pi;
     flat.planar = true;
-    const Standing there = settled(flat, models::polygon(60, 1.0));
+    const Held there = settled(flat, models::polygon(60, 1.0));
     flat.planar = false;
     return assess(flat, there.state, there.tensions).stability.negative;
   };
@@ -182,7 +173,7 @@ TEST_CASE("cables go slack and taut along a branch") {
   ring.planar = true;
   ring.cables.push_back(
       {.a = springs::OnRod{0, 0.05}, .b = springs::OnRod{0, 0.45}, .rest_length = 0.27});
-  const Standing start = settled(ring, models::polygon(40, 1.0));
+  const Held start = settled(ring, models::polygon(40, 1.0));
   REQUIRE(start.tensions.minCoeff() > 0);
   const Branch there =
       follow_branch(start.structure, start.state, start.tensions, Eigen::Vector2d(0.28, 0.3));
@@ -199,7 +190,7 @@ TEST_CASE("cables go slack and taut along a branch") {
 }
 
 TEST_CASE("branch options out of range are refused") {
-  const Standing start = arch_on_string(0.5);
+  const Held start = arch_on_string(0.5);
   for (const BranchOptions& options : {BranchOptions{.max_step = 0}, BranchOptions{.min_step = 0},
                                        BranchOptions{.frames = 0}, BranchOptions{.max_points = 0}})
     CHECK_THROWS_AS(follow(start, 1.9, options), std::invalid_argument);

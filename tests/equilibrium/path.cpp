@@ -2,27 +2,18 @@
 #include <tencer/equilibrium/balancing.hpp>
 #include <tencer/equilibrium/path.hpp>
 
+#include "fixtures/bow.hpp"
 #include "models.hpp"
 
 using namespace tencer;
 using namespace tencer::equilibrium;
+using fixtures::Held;
+using fixtures::settled;
 
 namespace {
 
-struct Standing {
-  model::Structure structure;
-  model::State state;
-  Eigen::VectorXd tensions;
-};
-
-Standing settled(model::Structure structure, const Eigen::Matrix3Xd& x) {
-  auto found = relax_inextensible(structure, model::make_state(structure, {x}));
-  REQUIRE(found.equilibrium.usable());
-  return {std::move(structure), std::move(found.equilibrium.state), std::move(found.tensions)};
-}
-
 // A planar ring squeezed by two cables side by side, across it at vertices 0 and 2.
-Standing squeezed_ring() {
+Held squeezed_ring() {
   model::Structure ring = models::ring_with_cable(40, 0.0, 0.28);
   ring.planar = true;
   ring.cables.push_back(
@@ -42,7 +33,7 @@ double distance(const model::State& a, const model::State& b) {
 
 // A rod between hinges nearer to each other than it is long, bent upwards, its middle on a string
 // that hangs from it down to an anchor.
-Standing arch_on_string() {
+Held arch_on_string() {
   const int n = 31;
   const double span = 0.995;
   model::Structure arch{.rods = {models::slender_rod(false, n, 1.0, 1e3)},
@@ -62,7 +53,7 @@ Standing arch_on_string() {
 }  // namespace
 
 TEST_CASE("a path leads where relaxation does when there is one rest only") {
-  const Standing start = squeezed_ring();
+  const Held start = squeezed_ring();
   model::Structure other = start.structure;
   other.cables[0].rest_length = 0.26;
   other.cables[1].rest_length = 0.262;
@@ -77,7 +68,7 @@ TEST_CASE("a path leads where relaxation does when there is one rest only") {
 }
 
 TEST_CASE("a small change of lengths takes one step and one factorisation") {
-  const Standing standing = squeezed_ring();
+  const Held standing = squeezed_ring();
   const PathStart start(standing.structure, standing.state, standing.tensions);
   CHECK(start.lengths()[0] == Approx(0.28));
   double moved[2];
@@ -93,7 +84,7 @@ TEST_CASE("a small change of lengths takes one step and one factorisation") {
 }
 
 TEST_CASE("cables go slack and taut on the way") {
-  const Standing start = squeezed_ring();
+  const Held start = squeezed_ring();
   REQUIRE(start.tensions.minCoeff() > 0);
   model::Structure loose = start.structure;
   loose.cables[1].rest_length = 0.3;
@@ -109,7 +100,7 @@ TEST_CASE("cables go slack and taut on the way") {
 }
 
 TEST_CASE("forces that the start lacks fade along the way") {
-  const Standing standing = squeezed_ring();
+  const Held standing = squeezed_ring();
   // Of what balances the ring a tenth is missing.
   const PathEquilibrium path =
       settle_along(standing.structure, standing.state, 0.9 * standing.tensions);
@@ -121,7 +112,7 @@ TEST_CASE("forces that the start lacks fade along the way") {
 }
 
 TEST_CASE("an arch pulled down follows its string, and leaves it where it snaps through") {
-  const Standing start = arch_on_string();
+  const Held start = arch_on_string();
   const double height = start.structure.cables[0].rest_length - 2;
   const auto pulled_to = [&](double share) {
     model::Structure arch = start.structure;
@@ -162,7 +153,7 @@ TEST_CASE("a pose that is not stable has no path") {
 }
 
 TEST_CASE("tensions that balance a standing structure are found from its pose") {
-  const Standing start = squeezed_ring();
+  const Held start = squeezed_ring();
   const Eigen::VectorXd found = balancing_tensions(start.structure, start.state);
   CHECK((found - start.tensions).norm() < 1e-4 * start.tensions.norm());
 }
@@ -170,7 +161,7 @@ TEST_CASE("tensions that balance a standing structure are found from its pose") 
 TEST_CASE("cables side by side share the tension of one") {
   model::Structure ring = models::ring_with_cable(40, 0.0, 0.28);
   ring.planar = true;
-  const Standing start = settled(ring, models::polygon(40, 1.0));
+  const Held start = settled(ring, models::polygon(40, 1.0));
   ring.cables.push_back(ring.cables[0]);
   const Eigen::VectorXd found = balancing_tensions(ring, start.state);
   CHECK(found[0] == Approx(start.tensions[0] / 2).epsilon(1e-4));
@@ -178,7 +169,7 @@ TEST_CASE("cables side by side share the tension of one") {
 }
 
 TEST_CASE("path options out of range are refused") {
-  const Standing standing = squeezed_ring();
+  const Held standing = squeezed_ring();
   const PathStart start(standing.structure, standing.state, standing.tensions);
   for (const PathOptions& options : {PathOptions{.max_step = 0}, PathOptions{.max_departure = 0},
                                      PathOptions{.min_step = 0}, PathOptions{.min_step = 2}})

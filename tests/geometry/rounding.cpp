@@ -16,7 +16,7 @@ Polyline polygon(std::vector<Eigen::Vector3d> corners, bool closed) {
   return curve;
 }
 
-Polyline square(double side) {
+Polyline square_of_side(double side) {
   return polygon({{0, 0, 0}, {side, 0, 0}, {side, side, 0}, {0, side, 0}}, true);
 }
 
@@ -37,7 +37,7 @@ double least_radius(const Polyline& curve, double edge) {
 }  // namespace
 
 TEST_CASE("the corners of a square become quarters of a circle") {
-  const Rounded result = rounded(square(10), 2);
+  const Rounded result = rounded(square_of_side(10), 2);
   REQUIRE_FALSE(result.no_room);
   REQUIRE(result.bends.size() == 4);
   for (int i = 0; i < 4; ++i) {

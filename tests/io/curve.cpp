@@ -17,7 +17,8 @@ using tencer::io::write_obj;
 
 namespace {
 
-std::vector<Polyline> read(const Folder& folder, std::string_view name, std::string_view text) {
+std::vector<Polyline> curves_of(const Folder& folder, std::string_view name,
+                                std::string_view text) {
   const auto curves = read_curves(folder.put(name, text));
   if (!curves) FAIL(curves.error().text());
   return *curves;
@@ -50,15 +51,15 @@ double any_double(std::mt19937_64& random) {
 
 TEST_CASE("obj: closed and open lines, comments, negative indices, other keywords") {
   const Folder folder;
-  const auto curves = read(folder, "c.obj",
-                           "# two rods\n"
-                           "o rods\n"
-                           "v 0 0 0\nv 1 0 0 1.0\nv 1 1 0\nv 0 1 5e-1 # fourth\n"
-                           "\n"
-                           "g first\n"
-                           "l 1 2 3 4 1\n"
-                           "v 0 0 0\r\nv +1 0 0\r\n"
-                           "l -2 -1\r\n");
+  const auto curves = curves_of(folder, "c.obj",
+                                "# two rods\n"
+                                "o rods\n"
+                                "v 0 0 0\nv 1 0 0 1.0\nv 1 1 0\nv 0 1 5e-1 # fourth\n"
+                                "\n"
+                                "g first\n"
+                                "l 1 2 3 4 1\n"
+                                "v 0 0 0\r\nv +1 0 0\r\n"
+                                "l -2 -1\r\n");
   REQUIRE(curves.size() == 2);
   check_same(curves[0], polyline(true, {a, b, c, d}));
   check_same(curves[1], polyline(false, {a, b}));
@@ -67,40 +68,42 @@ TEST_CASE("obj: closed and open lines, comments, negative indices, other keyword
 TEST_CASE("obj: one element an edge is joined to whole curves, in either direction") {
   const Folder folder;
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\n";
-  const auto ring = read(folder, "c.obj", vertices + "l 2 3\nl 4 3\nl 4 1\nl 1 2\n");
+  const auto ring = curves_of(folder, "c.obj", vertices + "l 2 3\nl 4 3\nl 4 1\nl 1 2\n");
   REQUIRE(ring.size() == 1);
   check_same(ring[0], polyline(true, {b, c, d, a}));
-  const auto chain = read(folder, "c.obj", vertices + "l 2 3\nl 1 2\nl 3/1 4/1\n");
+  const auto chain = curves_of(folder, "c.obj", vertices + "l 2 3\nl 1 2\nl 3/1 4/1\n");
   REQUIRE(chain.size() == 1);
   check_same(chain[0], polyline(false, {a, b, c, d}));
-  const auto two = read(folder, "c.obj", vertices + "l 1 2\nl 4 3\n");
+  const auto two = curves_of(folder, "c.obj", vertices + "l 1 2\nl 4 3\n");
   REQUIRE(two.size() == 2);
   check_same(two[1], polyline(false, {d, c}));
 }
 
 TEST_CASE("obj: vertices alone are one curve, closed when the last repeats the first") {
   const Folder folder;
-  check_same(read(folder, "c.OBJ", "v 0 0 0\nv 1 0 0\nv 1 1 0\n")[0], polyline(false, {a, b, c}));
-  check_same(read(folder, "c.OBJ", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0\n")[0],
+  check_same(curves_of(folder, "c.OBJ", "v 0 0 0\nv 1 0 0\nv 1 1 0\n")[0],
+             polyline(false, {a, b, c}));
+  check_same(curves_of(folder, "c.OBJ", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0\n")[0],
              polyline(true, {a, b, c}));
 }
 
 TEST_CASE("tables: separators, header, comments, blank lines between rods") {
   const Folder folder;
-  const auto csv = read(folder, "c.csv",
-                        "\xEF\xBB\xBFx,y,z\r\n0,0,0\r\n1, 0, 0\r\n# comment\r\n1,1,0\r\n0,0,0\r\n"
-                        "\r\n\r\n0;0;0\r\n1;0;0 # end\r\n");
+  const auto csv =
+      curves_of(folder, "c.csv",
+                "\xEF\xBB\xBFx,y,z\r\n0,0,0\r\n1, 0, 0\r\n# comment\r\n1,1,0\r\n0,0,0\r\n"
+                "\r\n\r\n0;0;0\r\n1;0;0 # end\r\n");
   REQUIRE(csv.size() == 2);
   check_same(csv[0], polyline(true, {a, b, c}));
   check_same(csv[1], polyline(false, {a, b}));
-  const auto xyz = read(folder, "c.xyz", "0 0 0\n1\t0  0\n 1 1 0 \n0 1 .5");
+  const auto xyz = curves_of(folder, "c.xyz", "0 0 0\n1\t0  0\n 1 1 0 \n0 1 .5");
   check_same(xyz[0], polyline(false, {a, b, c, d}));
 }
 
 TEST_CASE("json: curves with and without their closed flag, and a bare array") {
   const Folder folder;
-  const auto curves = read(folder, "c.json",
-                           R"({"curves": [
+  const auto curves = curves_of(folder, "c.json",
+                                R"({"curves": [
                              {"closed": true, "points": [[0,0,0],[1,0,0],[1,1,0]]},
                              {"closed": true, "points": [[0,0,0],[1,0,0],[1,1,0],[0,0,0]]},
                              {"points": [[0,0,0],[1,0,0],[1,1,0],[0,0,0]]},
@@ -108,7 +111,8 @@ TEST_CASE("json: curves with and without their closed flag, and a bare array") {
   REQUIRE(curves.size() == 4);
   for (int i = 0; i < 3; ++i) check_same(curves[i], polyline(true, {a, b, c}));
   check_same(curves[3], polyline(false, {a, b}));
-  check_same(read(folder, "c.json", "[[0,0,0],[1,0,0],[1,1,0]]")[0], polyline(false, {a, b, c}));
+  check_same(curves_of(folder, "c.json", "[[0,0,0],[1,0,0],[1,1,0]]")[0],
+             polyline(false, {a, b, c}));
 }
 
 TEST_CASE("points that repeat the one before them are dropped, and it is said how many") {
@@ -163,17 +167,18 @@ TEST_CASE(
     "tables of other countries and programs: decimal commas, UTF-16, units, continued lines") {
   const Folder folder;
   const Polyline expected = polyline(false, {{0.5, 0, 0}, {1, -1.25, 0}, {1, 1, 3}});
-  check_same(read(folder, "c.csv", "0,5;0;0\n1;-1,25;0\n1;1;3\n")[0], expected);
-  check_same(read(folder, "c.txt", "0,5 0 0\n1 -1,25 0\n1\t1\t3\n")[0], expected);
-  check_same(read(folder, "c.txt", "0.5, 0, 0\n1, -1.25, 0\n1, 1, 3\n")[0], expected);
+  check_same(curves_of(folder, "c.csv", "0,5;0;0\n1;-1,25;0\n1;1;3\n")[0], expected);
+  check_same(curves_of(folder, "c.txt", "0,5 0 0\n1 -1,25 0\n1\t1\t3\n")[0], expected);
+  check_same(curves_of(folder, "c.txt", "0.5, 0, 0\n1, -1.25, 0\n1, 1, 3\n")[0], expected);
   for (const bool little : {true, false}) {
     std::string wide = little ? "\xFF\xFE" : "\xFE\xFF";
     for (const char character : std::string("0.5 0 0\r\n1 -1.25 0\r\n1 1 3\r\n"))
       wide += little ? std::string{character, '\0'} : std::string{'\0', character};
-    check_same(read(folder, "c.csv", wide)[0], expected);
+    check_same(curves_of(folder, "c.csv", wide)[0], expected);
   }
-  check_same(read(folder, "c.obj", "v 0.5 0 0\nv 1 \\\n-1.25 0\nv 1 1 3\nl 1 \\\n2 \\ \n 3\n")[0],
-             expected);
+  check_same(
+      curves_of(folder, "c.obj", "v 0.5 0 0\nv 1 \\\n-1.25 0\nv 1 1 3\nl 1 \\\n2 \\ \n 3\n")[0],
+      expected);
 
   const std::string rows = "0,0,0\n1,0,0\n1,1,0\n";
   const auto unit = [&](const std::string& head) {

@@ -11,7 +11,7 @@ using geometry::Polyline;
 
 namespace {
 
-io::CurveFile read(const Folder& folder, std::string_view name, std::string_view text) {
+io::CurveFile file_of(const Folder& folder, std::string_view name, std::string_view text) {
   const auto file = io::read_curve_file(folder.put(name, text));
   if (!file) FAIL(file.error().text());
   return *file;
@@ -56,9 +56,9 @@ TEST_CASE("obj: NURBS curves, as Rhino and Blender write them") {
   const Folder folder;
   // A quarter of a circle, exactly.
   const auto quarter =
-      read(folder, "c.obj",
-           "v 1 0 0 1\nv 1 1 0 0.70710678118654752\nv 0 1 0 1\ncstype rat bspline\n"
-           "deg 2\ncurv 0 1 1 2 3\nparm u 0 0 0 \\\n1 1 1\nend\n");
+      file_of(folder, "c.obj",
+              "v 1 0 0 1\nv 1 1 0 0.70710678118654752\nv 0 1 0 1\ncstype rat bspline\n"
+              "deg 2\ncurv 0 1 1 2 3\nparm u 0 0 0 \\\n1 1 1\nend\n");
   REQUIRE(quarter.curves.size() == 1);
   for (const auto& point : quarter.curves[0].points.colwise()) CHECK(point.norm() == Approx(1));
   CHECK(length(quarter.curves[0]) == Approx(std::numbers::pi / 2).epsilon(1e-3));
@@ -70,14 +70,14 @@ TEST_CASE("obj: NURBS curves, as Rhino and Blender write them") {
     cyclic += "v " + std::string(point) + " 0\n";
   cyclic += "g Nurbs\ncstype bspline\ndeg 3\ncurv 0.0 1.0 -4 -3 -2 -1 -4 -3 -2\nparm u";
   for (int i = 0; i <= 10; ++i) cyclic += " " + std::to_string(i / 10.0);
-  const auto ring = read(folder, "c.obj", cyclic + "\nend\n");
+  const auto ring = file_of(folder, "c.obj", cyclic + "\nend\n");
   CHECK(ring.curves.at(0).closed);
   CHECK(ring.curves[0].points.colwise().norm().minCoeff() > 0.6);
   CHECK(length(ring.curves[0]) == Approx(2 * std::numbers::pi * 2 / 3).epsilon(0.02));
 
-  const auto bezier = read(folder, "c.obj",
-                           "v 0 0 0\nv 1 2 0\nv 2 0 0\nv 3 -2 0\nv 4 0 0\ncstype bezier\ndeg 2\n"
-                           "curv 0 2 1 2 3 4 5\nparm u 0 1 2\nend\n");
+  const auto bezier = file_of(folder, "c.obj",
+                              "v 0 0 0\nv 1 2 0\nv 2 0 0\nv 3 -2 0\nv 4 0 0\ncstype bezier\ndeg 2\n"
+                              "curv 0 2 1 2 3 4 5\nparm u 0 1 2\nend\n");
   CHECK(bezier.curves.at(0).points.rightCols(1) == Eigen::Vector3d(4, 0, 0));
   CHECK(bezier.curves[0].points.row(1).maxCoeff() == Approx(1).epsilon(1e-3));
 }
@@ -85,7 +85,7 @@ TEST_CASE("obj: NURBS curves, as Rhino and Blender write them") {
 TEST_CASE("obj: a face of its own is a closed curve") {
   const Folder folder;
   const auto file =
-      read(folder, "c.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1/1 2/2 3/3 4/4\n");
+      file_of(folder, "c.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1/1 2/2 3/3 4/4\n");
   REQUIRE(file.curves.size() == 1);
   CHECK(file.curves[0].closed);
   CHECK(file.curves[0].vertices() == 4);
@@ -94,18 +94,19 @@ TEST_CASE("obj: a face of its own is a closed curve") {
 TEST_CASE("tables: headers that name columns, two columns, quotes, comments, units") {
   const Folder folder;
   const auto named =
-      read(folder, "c.csv",
-           "\"id\",\"x [in]\",\"y [in]\",\"z [in]\"\r\n1,\"0\",0,1\r\n2,1,0,1\r\n3,1,1,1\r\n");
+      file_of(folder, "c.csv",
+              "\"id\",\"x [in]\",\"y [in]\",\"z [in]\"\r\n1,\"0\",0,1\r\n2,1,0,1\r\n3,1,1,1\r\n");
   CHECK(named.length_unit == "in");
   CHECK(named.curves[0].points.col(2) == Eigen::Vector3d(1, 1, 1));
   const auto paraview =
-      read(folder, "c.csv", "\"Points:0\";\"Points:1\";\"Points:2\"\n0;0;1\n1;0;1\n");
+      file_of(folder, "c.csv", "\"Points:0\";\"Points:1\";\"Points:2\"\n0;0;1\n1;0;1\n");
   CHECK(paraview.curves[0].points.col(1) == Eigen::Vector3d(1, 0, 1));
-  const auto plane = read(folder, "c.tsv", "% made by hand\n// in the plane\n0\t0\n1\t0,5\n2\t0\n");
+  const auto plane =
+      file_of(folder, "c.tsv", "% made by hand\n// in the plane\n0\t0\n1\t0,5\n2\t0\n");
   CHECK(plane.curves[0].points.col(1) == Eigen::Vector3d(1, 0.5, 0));
   CHECK(folder.local(plane.notes.at(0)) == "c.tsv:3: two numbers a line: z is taken as 0");
-  CHECK_FALSE(read(folder, "c.csv", "x,y,z,m\n0,0,0,1\n1,0,0,1\n").length_unit);
-  CHECK(read(folder, "c.csv", "x_mm,y_mm\n0,0\n1,0\n").length_unit == "mm");
+  CHECK_FALSE(file_of(folder, "c.csv", "x,y,z,m\n0,0,0,1\n1,0,0,1\n").length_unit);
+  CHECK(file_of(folder, "c.csv", "x_mm,y_mm\n0,0\n1,0\n").length_unit == "mm");
 }
 
 TEST_CASE("json: points of other programs") {
@@ -117,9 +118,9 @@ TEST_CASE("json: points of other programs") {
         R"({"x": [0, 1, 1], "y": [0, 0, 1], "z": [0, 0, 2]})",
         R"([{"vertices": [[0,0,0],[1,0,0],[1,1,2]], "closed": false}])",
         R"({"curves": [[[0,0,0],[1,0,0],[1,1,2]]]})"})
-    CHECK(read(folder, "c.json", text).curves.at(0).points.col(2) == last);
+    CHECK(file_of(folder, "c.json", text).curves.at(0).points.col(2) == last);
   const auto closed =
-      read(folder, "c.json", R"({"closed": true, "units": "m", "points": [[0,0],[1,0],[1,1]]})");
+      file_of(folder, "c.json", R"({"closed": true, "units": "m", "points": [[0,0],[1,0],[1,1]]})");
   CHECK(closed.curves[0].closed);
   CHECK(closed.length_unit == "m");
 }
@@ -127,11 +128,11 @@ TEST_CASE("json: points of other programs") {
 TEST_CASE("Geomview VECT: closed where the count is negative") {
   const Folder folder;
   const std::string two = "VECT # two\n2 6 0\n-3 3\n0 0\n0 0 0 1 0 0 1 1 0\n0 0 1\n1 0 1\n1 1 1\n";
-  const auto file = read(folder, "c.vect", two);
+  const auto file = file_of(folder, "c.vect", two);
   REQUIRE(file.curves.size() == 2);
   CHECK(file.curves[0].closed);
   CHECK_FALSE(file.curves[1].closed);
-  CHECK(read(folder, "c.txt", two).curves.size() == 2);  // told by its first word
+  CHECK(file_of(folder, "c.txt", two).curves.size() == 2);  // told by its first word
   CHECK(
       error(folder, "c.vect", "4VECT\n1 2 0\n") ==
       "c.vect:1: 4VECT has points in four dimensions; project them and save the three coordinates "
@@ -145,8 +146,8 @@ TEST_CASE("Geomview VECT: closed where the count is negative") {
 TEST_CASE("svg: every command of a path") {
   const Folder folder;
   const auto path = [&](const std::string& d) {
-    return read(folder, "c.svg",
-                "<svg xmlns='http://www.w3.org/2000/svg'><path d='" + d + "'/></svg>")
+    return file_of(folder, "c.svg",
+                   "<svg xmlns='http://www.w3.org/2000/svg'><path d='" + d + "'/></svg>")
         .curves.at(0);
   };
   // Lines as they are drawn, y up.
@@ -169,7 +170,7 @@ TEST_CASE("svg: every command of a path") {
 
 TEST_CASE("svg: shapes, transforms, units; what is no curve is left out") {
   const Folder folder;
-  const auto file = read(folder, "c.svg", R"svg(<?xml version="1.0"?>
+  const auto file = file_of(folder, "c.svg", R"svg(<?xml version="1.0"?>
 <svg width="200mm" height="100mm" viewBox="0 0 100 50">
   <defs><path d="M0 0 L9 9"/></defs>
   <g transform="translate(10 20) scale(2)"><g transform="rotate(90)">
@@ -196,7 +197,7 @@ TEST_CASE("svg: shapes, transforms, units; what is no curve is left out") {
 
 TEST_CASE("svg: copies are drawn where they are put") {
   const Folder folder;
-  const auto file = read(folder, "c.svg", R"svg(<svg xmlns:xlink="http://www.w3.org/1999/xlink">
+  const auto file = file_of(folder, "c.svg", R"svg(<svg xmlns:xlink="http://www.w3.org/1999/xlink">
   <defs><circle id="dot" cx="1" cy="0" r="2"/>
     <g id="pair"><use href="#dot"/><use xlink:href="#dot" x="10"/></g></defs>
   <symbol id="mark"><path d="M0 0L3 0"/></symbol>
@@ -260,7 +261,7 @@ TEST_CASE("dxf: lines and arcs are joined end to end, in any order and direction
       "0\nARC\n10\n4\n20\n0\n40\n1\n50\n270\n51\n90\n0\nARC\n10\n0\n20\n0\n40\n1\n50\n90\n51\n270"
       "\n";
   const auto file =
-      read(folder, "c.dxf", dxf(dxf_line(0, 1, 4, 1.00001) + arcs + dxf_line(0, -1, 4, -1)));
+      file_of(folder, "c.dxf", dxf(dxf_line(0, 1, 4, 1.00001) + arcs + dxf_line(0, -1, 4, -1)));
   REQUIRE(file.curves.size() == 1);
   CHECK(file.curves[0].closed);
   CHECK(file.length_unit == "mm");
@@ -271,7 +272,7 @@ TEST_CASE("dxf: lines and arcs are joined end to end, in any order and direction
 TEST_CASE("dxf: every kind of curve") {
   const Folder folder;
   const auto one = [&](const std::string& entity) {
-    const auto file = read(folder, "c.dxf", dxf(entity, "0"));
+    const auto file = file_of(folder, "c.dxf", dxf(entity, "0"));
     CHECK_FALSE(file.length_unit);
     REQUIRE(file.curves.size() == 1);
     return file.curves[0];
@@ -306,9 +307,9 @@ TEST_CASE("dxf: blocks are drawn where they are inserted") {
       "0\nBLOCK\n2\nC\n0\nINSERT\n2\nC\n0\nENDBLK\n0\nENDSEC\n";
   // Turned by a quarter and twice as large; nested; in two columns.
   const auto file =
-      read(folder, "c.dxf",
-           blocks + dxf("0\nINSERT\n2\nA\n10\n10\n20\n0\n41\n2\n42\n2\n43\n2\n50\n90\n"
-                        "0\nINSERT\n2\nB\n10\n0\n20\n20\n70\n2\n44\n30\n"));
+      file_of(folder, "c.dxf",
+              blocks + dxf("0\nINSERT\n2\nA\n10\n10\n20\n0\n41\n2\n42\n2\n43\n2\n50\n90\n"
+                           "0\nINSERT\n2\nB\n10\n0\n20\n20\n70\n2\n44\n30\n"));
   REQUIRE(file.curves.size() == 3);
   check_circle(file.curves[0], {10, 4, 0}, 2);
   check_circle(file.curves[1], {2, 25, 0}, 1);
@@ -343,7 +344,7 @@ TEST_CASE("files of other kinds are refused with what to do") {
   CHECK(error(folder, "c.foo", "0 0 0\n") ==
         "c.foo: unknown kind of curve file '.foo'; use one of .obj, .csv, .xyz, .txt, .tsv, .dat, "
         ".pts, .json, .vect, .vec, .svg, .dxf");
-  CHECK(read(folder, "c.foo", "v 0 0 0\nv 1 0 0\n").curves.size() == 1);
+  CHECK(file_of(folder, "c.foo", "v 0 0 0\nv 1 0 0\n").curves.size() == 1);
 }
 
 TEST_CASE("inches and feet become cm") {

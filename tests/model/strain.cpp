@@ -19,7 +19,7 @@ geometry::Polyline ellipse(double a, double b, int vertices) {
 }
 
 // A round rod at rest along a straight line, bent to the ellipse.
-model::Scene scene_of(const der::Section& section) {
+model::Scene ellipse_of(const der::Section& section) {
   model::Scene scene;
   add_rod(scene, ellipse(40, 20, 1000));
   scene.structure.rods[0].section = section;
@@ -29,7 +29,7 @@ model::Scene scene_of(const der::Section& section) {
 }  // namespace
 
 TEST_CASE("the strain of a rod on an ellipse is largest at the end of its long axis") {
-  const model::Scene scene = scene_of(der::solid_circle(1e6, 0.3, 0.1));
+  const model::Scene scene = ellipse_of(der::solid_circle(1e6, 0.3, 0.1));
   const auto strains =
       largest_bending_strains(scene.structure, make_state(scene.structure, scene.target.points));
   REQUIRE(strains.size() == 1);
@@ -43,7 +43,7 @@ TEST_CASE("the strain of a rod on an ellipse is largest at the end of its long a
 }
 
 TEST_CASE("strain has no unit: it is the same in scaled units") {
-  const model::Scene scene = scene_of(der::tube(1e6, 0.3, 0.1, 0.05));
+  const model::Scene scene = ellipse_of(der::tube(1e6, 0.3, 0.1, 0.05));
   const model::Scaling scaling = scaling_of(scene.structure, scene.target.points);
   const model::Structure structure = scaled(scene.structure, scaling);
   const auto here =
@@ -55,7 +55,7 @@ TEST_CASE("strain has no unit: it is the same in scaled units") {
 }
 
 TEST_CASE("without a shape the strain of a rod is not known") {
-  const model::Scene scene = scene_of({});
+  const model::Scene scene = ellipse_of({});
   CHECK_FALSE(largest_bending_strains(scene.structure,
                                       make_state(scene.structure, scene.target.points))[0]);
 }

@@ -14,12 +14,6 @@ namespace {
 
 constexpr int vertices = 41;
 
-fixtures::Held settled(model::Structure structure, const Eigen::Matrix3Xd& x) {
-  auto found = equilibrium::relax_inextensible(structure, model::make_state(structure, {x}));
-  REQUIRE(found.equilibrium.usable());
-  return {std::move(structure), std::move(found.equilibrium.state), std::move(found.tensions)};
-}
-
 // Between hinges in the plane, bent up by `height`, about, a string from its middle down to an
 // anchor that just does not pull.
 struct Arch {
@@ -35,7 +29,7 @@ Arch arch_on_string(double height) {
                         .planar = true};
   Eigen::Matrix3Xd x = fixtures::straight(vertices, span);
   for (int i = 0; i < vertices; ++i) x(1, i) = height * std::sin(pi * x(0, i) / span);
-  Arch result{.held = settled(arch, x)};
+  Arch result{.held = fixtures::settled(arch, x)};
   result.height = result.held.state[0].x(1, vertices / 2);
   result.held.structure.cables = {
       {.a = springs::OnRod{0, 0.5}, .b = springs::AtAnchor{0}, .rest_length = 2 + result.height}};
@@ -108,7 +102,7 @@ TEST_CASE("a ring leaves its plane without a jump") {
   for (int i = 0; i < count; ++i)
     x.col(i) << diameter / 2 * std::cos(2 * pi * i / count),
         diameter / 2 * std::sin(2 * pi * i / count), 0;
-  const auto held = settled(ring, x);
+  const auto held = fixtures::settled(ring, x);
   const auto found = motion::actuate(held.structure, held.state, held.tensions,
                                      {{.lengths = length(0.2 * diameter), .frames = 14}});
   REQUIRE(found.finished);

@@ -9,16 +9,6 @@
 using namespace tencer;
 using std::numbers::pi;
 
-namespace {
-
-fixtures::Held settled(model::Structure structure, const Eigen::Matrix3Xd& x) {
-  auto found = equilibrium::relax_inextensible(structure, model::make_state(structure, {x}));
-  REQUIRE(found.equilibrium.usable());
-  return {std::move(structure), std::move(found.equilibrium.state), std::move(found.tensions)};
-}
-
-}  // namespace
-
 TEST_CASE("a bow is strung cable by cable, from a straight rod on") {
   const auto bow = fixtures::bow();
   const auto plan = motion::tying_plan(bow.structure, bow.state, bow.tensions);
@@ -43,7 +33,7 @@ TEST_CASE("the tension of a string that is tied alone is the elastica's load") {
                   .b = springs::OnRod{0, 1.0},
                   .rest_length = (known.x.col(vertices - 1) - known.x.col(0)).norm()}},
       .planar = true};
-  const auto held = settled(bow, known.x);
+  const auto held = fixtures::settled(bow, known.x);
   const auto plan = motion::tying_plan(held.structure, held.state, held.tensions);
   REQUIRE(plan.steps.size() == 1);
   CHECK(plan.steps[0].tension == Approx(known.load).epsilon(2e-3));
@@ -66,7 +56,7 @@ TEST_CASE("what snaps when its string is let go has to be held") {
                         .planar = true};
   Eigen::Matrix3Xd x = fixtures::straight(vertices, span);
   for (int i = 0; i < vertices; ++i) x(1, i) = -height * std::sin(pi * x(0, i) / span);
-  const auto held = settled(arch, x);
+  const auto held = fixtures::settled(arch, x);
   REQUIRE(held.tensions[0] > 0);
   REQUIRE(held.state[0].x(1, vertices / 2) < -0.8 * height);
   const auto plan = motion::tying_plan(held.structure, held.state, held.tensions);

@@ -25,13 +25,15 @@ void check(cairo_status_t status) {
     throw std::runtime_error(std::string("Cairo: ") + cairo_status_to_string(status));
 }
 
+}  // namespace
+
 // A surface that writes into a text, and what draws on it.
-class Drawing {
+class TextSurface {
  public:
-  Drawing() = default;
-  Drawing(const Drawing&) = delete;
-  Drawing& operator=(const Drawing&) = delete;
-  ~Drawing() {
+  TextSurface() = default;
+  TextSurface(const TextSurface&) = delete;
+  TextSurface& operator=(const TextSurface&) = delete;
+  ~TextSurface() {
     cairo_destroy(context_);
     cairo_surface_destroy(surface_);
   }
@@ -63,6 +65,8 @@ class Drawing {
   cairo_surface_t* surface_ = nullptr;
   cairo_t* context_ = nullptr;
 };
+
+namespace {
 
 void use(cairo_t* context, const Colour& colour) {
   cairo_set_source_rgb(context, colour.red, colour.green, colour.blue);
@@ -210,12 +214,12 @@ std::string Canvas::fitting(const std::string& words, double width, const Font& 
 }
 
 struct Pdf::Surface {
-  Drawing drawing;
+  TextSurface drawing;
 };
 
 Pdf::Pdf(double width, double height, const std::string& title)
     : surface_(std::make_unique<Surface>()), canvas_(nullptr) {
-  Drawing& drawing = surface_->drawing;
+  TextSurface& drawing = surface_->drawing;
   cairo_surface_t* surface = cairo_pdf_surface_create_for_stream(
       append, &drawing.text(), width * points_per_mm, height * points_per_mm);
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, readable(title).c_str());
@@ -231,7 +235,7 @@ void Pdf::end_page() { cairo_surface_show_page(surface_->drawing.surface()); }
 std::string Pdf::finish() { return surface_->drawing.finish(); }
 
 std::string svg_drawing(double width, double height, const std::string& title, const Draw& draw) {
-  Drawing drawing;
+  TextSurface drawing;
   cairo_surface_t* surface =
       cairo_svg_surface_create_for_stream(append, &drawing.text(), width, height);
   cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_MM);
@@ -254,7 +258,7 @@ std::string pdf_drawing(double width, double height, const std::string& title, c
 
 std::string png_drawing(double width, double height, double dots_per_inch, const Draw& draw) {
   const double dots_per_mm = dots_per_inch / 25.4;
-  Drawing drawing;
+  TextSurface drawing;
   cairo_surface_t* surface = cairo_image_surface_create(
       CAIRO_FORMAT_RGB24, static_cast<int>(std::ceil(width * dots_per_mm)),
       static_cast<int>(std::ceil(height * dots_per_mm)));

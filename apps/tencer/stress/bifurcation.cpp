@@ -12,17 +12,17 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int edges = 20;
+constexpr int column_edges = 20;
 
 // Slender enough to buckle and thick enough that eps EA, the rounding of its axial force, is below
 // 1e-9 of the load.
 der::Rod column(double length = 1.0) {
-  return slender_rod(false, equal_lengths(edges, length), 100);
+  return slender_rod(false, equal_lengths(column_edges, length), 100);
 }
 
 // 2 - 2 cos(pi / n), the first eigenvalue of the second difference.
 double first_difference_eigenvalue() {
-  const double half = std::sin(pi / (2 * edges));
+  const double half = std::sin(pi / (2 * column_edges));
   return 4 * half * half;
 }
 
@@ -52,7 +52,7 @@ double eigenvalue(const der::Rod& rod, double load) {
 }
 
 model::Structure hinged(const der::Rod& rod) {
-  return {.rods = {rod}, .pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = edges}}};
+  return {.rods = {rod}, .pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = column_edges}}};
 }
 
 std::string distance_text(double distance) {
@@ -102,9 +102,9 @@ Row solved(double distance) {
 Row buckled(double angle) {
   const der::Rod rod = column();
   Forward bowed = pinned_bow("", rod, angle, 1e-9);
-  const double excess =
-      (1 - pinned_bow("", rod, angle, 0).start[0](0, edges)) * rod.section.EA / critical_load(rod) -
-      1;
+  const double excess = (1 - pinned_bow("", rod, angle, 0).start[0](0, column_edges)) *
+                            rod.section.EA / critical_load(rod) -
+                        1;
   char text[64];
   std::snprintf(text, sizeof text, "bow at 1 + %.0e", excess);
   bowed.name = text;

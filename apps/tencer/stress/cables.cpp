@@ -9,10 +9,9 @@
 namespace tencer::app::stress {
 namespace {
 
-constexpr double thirty_degrees = std::numbers::pi / 6;
-constexpr int edges = 40;
+constexpr int rod_edges = 40;
 
-der::Rod unit_rod() { return slender_rod(false, equal_lengths(edges), 1e3); }
+der::Rod unit_rod() { return slender_rod(false, equal_lengths(rod_edges), 1e3); }
 
 springs::Cable cable(double from, double to, double stiffness, double rest_length) {
   return {.a = springs::OnRod{0, from},
@@ -54,11 +53,6 @@ Forward compressed_rod(double stiffness) {
           .known = "the compressed straight rod",
           .promise = 1e-9,
           .error = distance_from(straight, 1.0)};
-}
-
-Row stable(Row row) {
-  row.stable = true;
-  return row;
 }
 
 }  // namespace

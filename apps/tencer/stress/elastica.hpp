@@ -3,9 +3,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <numbers>
 #include <tencer/der/rod.hpp>
 
 namespace tencer::app::stress {
+
+// The angle that most bows have at their ends.
+inline constexpr double thirty_degrees = std::numbers::pi / 6;
 
 struct Bow {
   Eigen::Matrix3Xd x;  // from (0, 0, 0) to (span, 0, 0), bowed towards y

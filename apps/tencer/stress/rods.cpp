@@ -11,8 +11,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double thirty_degrees = pi / 6;
-
 std::string power_of_ten(int exponent) { return "1e" + std::to_string(exponent); }
 
 // A ring that starts as an ellipse; at rest it is the regular polygon, whose edges have their rest
@@ -28,11 +26,6 @@ Forward ring(std::string name, int vertices, double slenderness, double promise)
           .known = "the regular polygon",
           .promise = promise,
           .error = distance_from(polygon(vertices, 1.0), 1.0)};
-}
-
-Row stable(Row row) {
-  row.stable = true;
-  return row;
 }
 
 // An open rod folded in the middle up to an angle; nothing holds it so.

@@ -2,6 +2,11 @@
 
 namespace tencer::app::stress {
 
+Row stable(Row row) {
+  row.stable = true;
+  return row;
+}
+
 Judgement judge(const Row& row) {
   if (!row.ended) return {Verdict::failed, "did not end"};
   if (!row.finite) return {Verdict::failed, "returned a number that is not finite"};

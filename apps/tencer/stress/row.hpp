@@ -22,6 +22,9 @@ struct Row {
   std::string report{};          // the library's words
 };
 
+// The row, of something that is known to be stable.
+Row stable(Row row);
+
 enum class Verdict {
   converged,  // an answer within the promise
   reported,   // no answer claimed; the report names the trouble

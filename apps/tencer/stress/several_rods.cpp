@@ -12,13 +12,12 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double thirty_degrees = pi / 6;
-constexpr int edges = 40;
+constexpr int bow_edges = 40;
 
 // A soft bow strung on a straight stiff strut: zero-length cables of stiffness 1e3 join their ends.
 Forward bow_on_strut(int exponent) {
   const double ratio = std::pow(10.0, exponent);
-  const der::Rod soft = slender_rod(false, equal_lengths(edges), 1e3, 1 / ratio);
+  const der::Rod soft = slender_rod(false, equal_lengths(bow_edges), 1e3, 1 / ratio);
   const Bow answer = bow(soft, thirty_degrees);
   // The strut stretches and the cables lengthen under the bow's load.
   const double joint = 1e3 / ratio;
@@ -45,16 +44,16 @@ Forward bow_on_strut(int exponent) {
 // Two bows in a plane, each between its own fixed points; the soft one is compared.
 Forward two_bows(int exponent) {
   const double ratio = std::pow(10.0, exponent);
-  Forward soft =
-      pinned_bow("two bows not tied together, 1 : 1e" + std::to_string(exponent),
-                 slender_rod(false, equal_lengths(edges), 1e3, 1 / ratio), thirty_degrees, 1e-8);
+  Forward soft = pinned_bow("two bows not tied together, 1 : 1e" + std::to_string(exponent),
+                            slender_rod(false, equal_lengths(bow_edges), 1e3, 1 / ratio),
+                            thirty_degrees, 1e-8);
   soft.structure.planar = true;  // or each could turn about the line between its ends
   Eigen::Matrix3Xd beside = soft.start[0];
   beside.row(1).array() += 0.5;
   soft.start.push_back(beside);
-  soft.structure.rods.push_back(slender_rod(false, equal_lengths(edges), 1e3));
+  soft.structure.rods.push_back(slender_rod(false, equal_lengths(bow_edges), 1e3));
   soft.structure.pins.push_back({.rod = 1, .vertex = 0});
-  soft.structure.pins.push_back({.rod = 1, .vertex = edges});
+  soft.structure.pins.push_back({.rod = 1, .vertex = bow_edges});
   return soft;
 }
 
