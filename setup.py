@@ -14,6 +14,7 @@ OPTIONS = {
     "Python_EXECUTABLE": sys.executable,
     "CMAKE_BUILD_TYPE": "Release",
     "CMAKE_CXX_FLAGS_RELEASE": "-O2 -DNDEBUG",
+    "CMAKE_UNITY_BUILD": "ON",
     "TENCER_PYTHON": "ON",
     "TENCER_TESTS": "OFF",
     "TENCER_BENCH": "OFF",

@@ -1,5 +1,6 @@
 """A rule and an objective of your own: where on an arch a string is tied, so that its top is low and
-its ends are level, by scipy; the gradient comes back through the pose by one adjoint solve.
+its ends are level, by scipy, by Ipopt and in plain numpy; derivatives come back through the pose by one
+adjoint solve each.
 
 The rule is a function of the pose that no scene has a key for: the arch may lean by so much and no
 more. The same derivative is a custom rule of JAX or PyTorch: value(p) forwards, pull_back backwards.
@@ -28,26 +29,25 @@ pose = tencer.PoseMap(
 )
 
 
-def objective(positions):
-    """How far the top is from 18 cm above the ends, and the ends from level; and its derivative."""
+def residuals(positions):
+    """How far the top is from 18 cm, and the ends from level, (2,); the derivatives, (2, count, 3)."""
     y = positions[0][:, 1]
     top = np.argmax(y)
-    high, lean = y[top] - 18, y[-1] - y[0]
-    gradient = np.zeros((count, 3))
-    gradient[top, 1] += 2 * high
-    gradient[-1, 1] += 2 * lean
-    gradient[0, 1] -= 2 * lean
-    return high**2 + lean**2, [gradient]
+    derivatives = np.zeros((2, count, 3))
+    derivatives[0, top, 1] = 1
+    derivatives[1, [0, -1], 1] = -1, 1
+    return np.array([y[top] - 18, y[-1] - y[0]]), derivatives
 
 
 def value(p):
+    """The sum of their squares, and its derivative by what the strings are."""
     if not pose.move(p):  # no equilibrium: the line search comes back
         return 1e6, np.zeros(len(p))
-    found, gradient = objective(pose.positions)
-    return found, pose.pull_back(gradient)
+    r, derivatives = residuals(pose.positions)
+    return r @ r, pose.pull_back([2 * np.tensordot(r, derivatives, 1)])
 
 
-before = pose.positions[0]
+before, start = pose.positions[0], pose.values
 found = minimize(
     value,
     pose.values,
@@ -73,10 +73,23 @@ own = tencer.minimise(
 )
 print(own)
 
+# And in plain numpy: Gauss-Newton steps of at most 2 cm, a row of the Jacobian from each adjoint solve.
+pose.move(start) and pose.commit()
+for step in range(20):
+    r, derivatives = residuals(pose.positions)
+    if abs(r).max() < 1e-3:
+        break
+    jacobian = [pose.pull_back([derivative]) for derivative in derivatives]
+    change = np.linalg.lstsq(jacobian, -r, rcond=None)[0]
+    assert pose.move(pose.values + change * min(1, 2 / abs(change).max())), pose.outcome
+    pose.commit()
+print(f"plain numpy: {r @ r:.2g} cm^2 after {step} steps")
+assert r @ r < 1e-4
+
 figure, axes = plt.subplots(figsize=(7, 4))
 axes.plot(*before[:, :2].T, "--", label="before")
 axes.plot(*after[:, :2].T, linewidth=3, label="after")
-for ends in ([0, length], pose.values[2:]):  # the strings
+for ends in ([0, length], found.x[2:]):  # the strings
     axes.plot(*(np.interp(ends, x, after[:, axis]) for axis in (0, 1)), color="0.3", linewidth=0.8)
 axes.axhline(18, color="0.7")
 axes.set_aspect("equal")
