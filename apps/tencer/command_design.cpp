@@ -89,7 +89,8 @@ core::Expected<ExitCode> run_design(const DesignRequest& request, const Console&
 
   activity.now("looking whether cables can hold this");
   const auto feasible = pipeline::feasible(
-      *scene, {.mends = pipeline::TryMends::if_it_cannot, .stop = interrupt.token()});
+      *scene,
+      {.mends = pipeline::TryMends::if_it_cannot, .at_least = false, .stop = interrupt.token()});
   if (!feasible) return feasible.error();
   if (feasible->verdict == model::Verdict::cannot) {
     activity.end();

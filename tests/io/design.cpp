@@ -90,6 +90,13 @@ TEST_CASE("a design is read back to the last bit") {
   CHECK_FALSE(read->certificate->stable);
   CHECK(read->certificate->off_by_errors == 0.25);
   CHECK(read->certificate->settles_from_target == false);
+  REQUIRE(read->at_least);
+  CHECK(read->at_least->cables == 1);
+  CHECK(read->at_least->ends == 2);
+  CHECK(read->at_least->error_percent == 0.5);
+  REQUIRE(read->at_least->stretches.size() == 1);
+  CHECK(read->at_least->stretches[0].rod == 1);
+  CHECK(read->at_least->stretches[0].to == 0.75);
   CHECK(found.planar);
   REQUIRE(read->trace.size() == 2);
   CHECK(std::isnan(read->trace[0].max_percent));

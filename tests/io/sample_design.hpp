@@ -53,6 +53,8 @@ inline tencer::model::Design sample() {
   design.built.push_back({.length = number(), .tension = -number()});
   structure.planar = true;
   design.error = DesignError{number(), number()};
+  design.at_least =
+      AtLeast{.cables = 1, .ends = 2, .error_percent = 0.5, .stretches = {{1, 0.0, 0.75}}};
   design.certificate = Certificate{.residual = 1e-12 * number(),
                                    .smallest_eigenvalue = -number(),
                                    .slack_cables = 1,

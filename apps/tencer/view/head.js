@@ -101,7 +101,9 @@ function showHead() {
     item.append(element('dt', name), element('dd', value, valueClass));
     list.append(item);
   };
-  add('cables', design.cables.length);
+  const needed = design.at_least && design.at_least.cables;
+  add('cables', design.cables.length + (needed ? `; at least ${needed} needed within ` +
+    percentText(design.at_least.error_percent) : ''));
   const size = sizeOf(design);
   const error = design.error;
   const away = (percent) => `${smallLength(design, percent / 100 * size)} (${percentText(percent)})`;

@@ -16,6 +16,7 @@
 #include <tencer/sensitivity/distance.hpp>
 #include <utility>
 
+#include "at_least.hpp"
 #include "edit.hpp"
 #include "methods.hpp"
 #include "record.hpp"
@@ -92,7 +93,8 @@ core::Expected<Task> begin(const model::Scene& scene, const RunOptions& options)
   introduce(*task, options);
   if (options.feasible_first) {
     tell_stage("feasible", options);
-    const auto found = feasible(scene, {.mends = TryMends::if_it_cannot, .stop = options.stop});
+    const auto found =
+        feasible(scene, {.mends = TryMends::if_it_cannot, .at_least = false, .stop = options.stop});
     if (!found) return found.error();
     if (found->verdict == model::Verdict::cannot)
       return core::Error{scene.source, model::reason(*found)};
@@ -173,6 +175,15 @@ model::Check check_building(const Task& task, const Design& design, const RunOpt
                .stop = options.stop});
   if (scene.build.layers) check.clear->cable_rod.reset();
   return check;
+}
+
+// What the number of its cables is to be compared with: within the error that was asked for, or, of
+// a number of cables, as near as it comes.
+model::AtLeast needed(const Task& task, const Design& design, const RunOptions& options) {
+  const model::Goal goal = goal_of(task.scene.design);
+  return at_least(task.prepared,
+                  goal.by_number() ? design.error->max_percent : goal.max_error_percent,
+                  options.stop);
 }
 
 // The design of a network: complete unless it falls short of something.
@@ -288,7 +299,11 @@ core::Expected<Design> design(const model::Scene& scene, const RunOptions& optio
   const auto task = begin(ready, options);
   if (!task) return task.error();
   const Outcome outcome = run_in_time(*task, false, options);
-  if (!options.stop.stop_requested()) return first_answer(*task, outcome, options);
+  if (!options.stop.stop_requested()) {
+    Design answer = first_answer(*task, outcome, options);
+    answer.at_least = needed(*task, answer, options);
+    return answer;
+  }
   Design best = recorded(*task, outcome.networks[outcome.asked]);
   best.trace = outcome.trace;
   best.status = model::DesignStatus::interrupted;
@@ -310,6 +325,10 @@ core::Expected<std::vector<Design>> trade_off(const model::Scene& scene,
     Design next = certified(*task, network, options);
     next.trace.insert(next.trace.begin(), outcome.trace.begin(), outcome.trace.end());
     if (options.stop.stop_requested()) next.status = model::DesignStatus::interrupted;
+    // Of an error that was asked for it is the same for all.
+    next.at_least = designs.empty() || goal_of(ready.design).by_number()
+                        ? needed(*task, next, options)
+                        : designs.front().at_least;
     designs.push_back(std::move(next));
   }
   return designs;

@@ -10,6 +10,7 @@
 #include <tencer/sensitivity/distance.hpp>
 #include <utility>
 
+#include "at_least.hpp"
 #include "mends.hpp"
 #include "target_warnings.hpp"
 
@@ -163,6 +164,12 @@ Trial trial_of(const model::Scene& scene, const FeasibleOptions& options) {
   };
 }
 
+// Of the vertices that a design has.
+model::AtLeast needed(const model::Scene& scene, const std::stop_token& stop) {
+  const auto prepared = prepare(scene);
+  return prepared ? at_least(*prepared, scene.design.max_error, stop) : model::AtLeast{};
+}
+
 }  // namespace
 
 core::Expected<Feasibility> feasible(const model::Scene& scene, const FeasibleOptions& options) {
@@ -198,6 +205,8 @@ core::Expected<Feasibility> feasible(const model::Scene& scene, const FeasibleOp
   fill(problem, *found, length, result);
   result.verdict = verdict_of(*found, scene.design);
   result.warnings = target_warnings(coarse, problem.structure, problem.start, length);
+  if (options.at_least && result.verdict != Verdict::cannot)
+    result.at_least = needed(scene, options.stop);
   if (asked_for(options.mends, result.verdict))
     result.mends = try_mends(coarse, trial_of(scene, options));
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

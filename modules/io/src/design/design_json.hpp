@@ -26,6 +26,8 @@ model::Design any_design(const JsonValue& root, const std::filesystem::path& pat
 
 nlohmann::ordered_json design_to_json(const model::Design& design);
 
+nlohmann::ordered_json at_least_to_json(const model::AtLeast& at_least);
+
 // Points (3 x n), one array of three a point.
 nlohmann::ordered_json points_to_json(const Eigen::Matrix3Xd& points);
 

@@ -186,6 +186,17 @@ Certificate read_certificate(const JsonValue& value) {
   return certificate;
 }
 
+AtLeast read_at_least(const JsonValue& value, const std::vector<der::Rod>& rods) {
+  AtLeast at_least{.cables = value["cables"].integer(0),
+                   .ends = value["cable_ends"].integer(0),
+                   .error_percent = value["error_percent"].positive()};
+  for (const JsonValue& stretch : value["stretches"].items())
+    at_least.stretches.push_back({.rod = stretch["rod"].index(static_cast<int>(rods.size()), "rod"),
+                                  .from = stretch["from"].at_least_zero(),
+                                  .to = stretch["to"].positive()});
+  return at_least;
+}
+
 double read_percent(const JsonValue& value) {
   return value.raw().is_null() ? std::numeric_limits<double>::quiet_NaN() : value.at_least_zero();
 }
@@ -253,6 +264,8 @@ Design design_from_json(const JsonValue& root) {
     design.error =
         DesignError{error["max_percent"].at_least_zero(), error["rms_percent"].at_least_zero()};
   }
+  if (root.has("at_least"))
+    design.at_least = read_at_least(root["at_least"], design.structure.rods);
   if (root.has("certificate")) design.certificate = read_certificate(root["certificate"]);
   if (root.has("trace"))
     for (const JsonValue& row : root["trace"].items()) design.trace.push_back(read_trace_row(row));

@@ -119,6 +119,10 @@ Json to_json(const Certificate& certificate) {
   return result;
 }
 
+Json to_json(const Arc& stretch) {
+  return {{"rod", stretch.rod}, {"from", stretch.from}, {"to", stretch.to}};
+}
+
 Json percent(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
 
 Json to_json(const StageRow& row) {
@@ -147,6 +151,13 @@ Json points_to_json(const Eigen::Matrix3Xd& points) {
   Json result = Json::array();
   for (const auto& point : points.colwise()) result.push_back({point[0], point[1], point[2]});
   return result;
+}
+
+Json at_least_to_json(const AtLeast& at_least) {
+  return {{"cables", at_least.cables},
+          {"cable_ends", at_least.ends},
+          {"error_percent", at_least.error_percent},
+          {"stretches", list(at_least.stretches)}};
 }
 
 const char* status_name(DesignStatus status) {
@@ -185,6 +196,7 @@ Json design_to_json(const Design& design) {
   if (design.error)
     result["error"] = Json{{"max_percent", design.error->max_percent},
                            {"rms_percent", design.error->rms_percent}};
+  if (design.at_least) result["at_least"] = at_least_to_json(*design.at_least);
   if (design.certificate) result["certificate"] = to_json(*design.certificate);
   if (design.check) result["check"] = check_to_json(*design.check, design);
   result["trace"] = list(design.trace);

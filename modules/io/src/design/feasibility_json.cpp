@@ -40,6 +40,7 @@ std::string feasibility_text(const model::Feasibility& feasibility) {
                      {"lengthening", feasibility.lengthening},
                      {"unbalanced", feasibility.unbalanced},
                      {"power", feasibility.power},
+                     {"at_least", at_least_to_json(feasibility.at_least)},
                      {"apart", feasibility.apart},
                      {"vertices", feasibility.vertices},
                      {"cables", feasibility.cables},

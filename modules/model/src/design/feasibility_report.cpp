@@ -76,6 +76,9 @@ std::string report(const Feasibility& feasibility) {
   text << "forces: tensions balance the rods at the target "
        << (feasibility.unbalanced < 1e-2 ? "" : "only ") << "but for what moves them by "
        << percent(feasibility.unbalanced) << " of the target's size, to first order\n";
+  if (const std::string needed = in_words(feasibility.at_least);
+      !needed.empty() && feasibility.verdict != Verdict::cannot)
+    text << "number: " << needed << '\n';
   for (const std::string& warning : feasibility.warnings) text << "warning: " << warning << '\n';
   for (const Mend& mend : feasibility.mends)
     text << (mend.helps ? "would do: " : "would not do: ") << mend.change << "; the rods then rest "

@@ -127,6 +127,7 @@ std::string summary(const Design& design) {
   if (design.structure.anchors.cols() > 0)
     text << " (" << cables - external << " internal, " << external << " external)";
   text << error_words(design) << '\n';
+  if (design.at_least && design.at_least->cables > 0) text << in_words(*design.at_least) << '\n';
   if (!design.certificate) return text.str();
   const Certificate& certificate = *design.certificate;
   text << (certificate.stable ? "stands" : "does not stand");

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <tencer/geometry/polyline.hpp>
+#include <tencer/model/at_least.hpp>
 #include <tencer/model/certificate.hpp>
 #include <tencer/model/check.hpp>
 #include <tencer/model/goal.hpp>
@@ -49,8 +50,9 @@ struct Design {
   std::optional<DesignError> error = std::nullopt;  // not set in a design that nobody solved yet
   std::optional<Certificate> certificate = std::nullopt;  // likewise
   std::optional<Check> check = std::nullopt;  // what was looked at of being built; not read back
-  std::vector<StageRow> trace{};              // error against run time
-  std::optional<Goal> goal = std::nullopt;    // what was asked for; not in design files
+  std::optional<AtLeast> at_least = std::nullopt;  // not set: nobody asked
+  std::vector<StageRow> trace{};                   // error against run time
+  std::optional<Goal> goal = std::nullopt;         // what was asked for; not in design files
 
   bool complete() const { return status == DesignStatus::complete; }
 

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <tencer/geometry/polyline.hpp>
+#include <tencer/model/at_least.hpp>
 #include <vector>
 
 namespace tencer::model {
@@ -39,6 +40,7 @@ struct Feasibility {
   // To first order, at the target: the dual of the balance of forces.
   double unbalanced = 0.0;  // how far the forces that no tensions balance move the rods, %
   double power = 0.0;       // energy that the rods lose by that motion, of that at the target
+  AtLeast at_least{};       // within the error, of the scene's own vertices
   // The targets as they were looked at, and how each vertex moves (3 x n) to where the rods rest.
   std::vector<geometry::Polyline> targets{};
   std::vector<Eigen::Matrix3Xd> motions{};

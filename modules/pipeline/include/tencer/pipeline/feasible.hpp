@@ -14,6 +14,7 @@ enum class TryMends { never, if_it_cannot, unless_it_can };
 
 struct FeasibleOptions {
   TryMends mends = TryMends::unless_it_can;
+  bool at_least = true;  // also how few cables could do, unless none can
   std::stop_token stop{};
 };
 
