@@ -19,6 +19,13 @@ TEST_CASE("a bow comes back from small pushes, smooth and rough") {
       CHECK(rest.deviation < 1e-6);
       CHECK(std::abs(rest.energy) < 1e-6);
       CHECK_FALSE(rest.strands_met);
+      const auto way = certify::way_of(bow.structure, bow.state, modes, push);
+      REQUIRE(way.size() > 2);
+      const auto away = [&](const std::vector<Eigen::Matrix3Xd>& at) {
+        return (at[0] - bow.state[0].x).colwise().norm().maxCoeff();
+      };
+      CHECK(away(way.front()) > 0.5 * push.size);  // less what the alignment takes up
+      CHECK(away(way.back()) < 1e-6);
       const auto again = certify::push_and_release(bow.structure, bow.state, modes, push);
       CHECK(again.state[0].x == rest.state[0].x);
     }

@@ -4,8 +4,14 @@ from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 
-# Keeps what the page saves, in place of the dialogue of a browser.
+# Keeps what the page saves, in place of the dialogue of a browser; and a test may hold the page's
+# frames and tell them the time, one after the other.
 KEEP_SAVED = """
+const soon = requestAnimationFrame;
+let held = null;
+window.requestAnimationFrame = (act) => held ? held.push(act) : soon(act);
+window.frames = { soon, hold() { held = []; }, letGo() { held.forEach(soon); held = null; },
+  tick(seconds) { const now = held; held = []; now.forEach((act) => act(1000 * seconds)); } };
 window.saved = [];
 const made = new Map();
 const make = URL.createObjectURL;
@@ -66,7 +72,18 @@ class Browser:
     def frame(self):
         """Waits until what was asked for is drawn."""
         self.driver.execute_async_script(
-            "requestAnimationFrame(() => requestAnimationFrame(() => arguments[0]()))")
+            "const soon = window.frames.soon ?? requestAnimationFrame;"
+            "soon(() => soon(() => arguments[0]()))")
+
+    def hold(self):
+        self.run("window.frames.hold()")
+
+    def tick(self, seconds):
+        self.run("window.frames.tick(arguments[0])", seconds)
+
+    def let_go(self):
+        self.run("window.frames.letGo()")
+        self.frame()
 
     def find(self, selector):
         return self.driver.find_element(By.CSS_SELECTOR, selector)
@@ -82,6 +99,12 @@ class Browser:
     def choose(self, selector, value):
         self.run("const select = document.querySelector(arguments[0]);"
                  "select.value = arguments[1]; select.dispatchEvent(new Event('change'))",
+                 selector, value)
+        self.frame()
+
+    def slide(self, selector, value):
+        self.run("const slider = document.querySelector(arguments[0]);"
+                 "slider.value = arguments[1]; slider.dispatchEvent(new Event('input'))",
                  selector, value)
         self.frame()
 

@@ -46,6 +46,20 @@ def ring(name, cables, max_percent, **more):
             **more}
 
 
+def bow(name):
+    """A rod of 20 cm as a flat arc, whose ends a cable holds: nearly where it comes to rest."""
+    vertices, angle, length = 21, 1, 20
+    radius = length / angle
+    angles = [angle * (i / (vertices - 1) - 0.5) for i in range(vertices)]
+    pose = [[radius * math.sin(t), radius * math.cos(t), 0.0] for t in angles]
+    rod = {"closed": False, "EA": 1e5, "EI": [300, 300], "GJ": 250, "target": pose, "pose": pose,
+           "rest_lengths": [math.dist(pose[i], pose[i + 1]) for i in range(vertices - 1)]}
+    cable = {"a": {"rod": 0, "s": 0}, "b": {"rod": 0, "s": sum(rod["rest_lengths"])},
+             "length": math.dist(pose[0], pose[-1]), "tension": 3}
+    return {"schema": "tencer-design/2", "name": name, "length_unit": "cm", "force_unit": "N",
+            "rods": [rod], "cables": [cable]}
+
+
 def eight(name):
     """A ring with two cables, laid as an eight that crosses itself half its length apart, 2 cm above
     itself."""

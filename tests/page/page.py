@@ -14,6 +14,25 @@ import designs
 from browser import Browser
 
 ESCAPE = "\ue00c"
+# Puts everything back as the page had it first; a page takes longer to load.
+KEEP_FIRST = """
+window.first = [...document.querySelectorAll('select, input')]
+  .map((one) => [one, one.value, one.checked]);
+"""
+PUT_BACK = """
+for (const [one, value, checked] of window.first) {
+  if (one.checked !== checked) one.click();
+  if (one.value === value) continue;
+  one.value = value;
+  for (const kind of ['input', 'change']) one.dispatchEvent(new Event(kind));
+}
+const lens = document.getElementById('lens');
+if (lens.textContent === 'perspective') lens.click();
+document.dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape' }));
+document.querySelector("[data-view='home']").click();
+window.scrollTo(0, 0);
+window.saved = [];
+"""
 NO_WEBGL = """
 const get = HTMLCanvasElement.prototype.getContext;
 HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
@@ -32,23 +51,31 @@ def distance(a, b):
     return max(abs(x - y) for x, y in zip(a, b))
 
 
+def run_tencer(*arguments):
+    subprocess.run([tencer, *arguments], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+
+
 class Page(unittest.TestCase):
+    opened = None  # what the browser shows
+
     @classmethod
     def setUpClass(cls):
         cls.browser = Browser(chromium, driver)
-        cls.page = folder / "page.html"
-        subprocess.run([tencer, "view", *designs.write(folder), "-o", cls.page], check=True,
-                       stdout=subprocess.DEVNULL)
+        run_tencer("view", *designs.write(folder), "-o", "page.html")
 
     @classmethod
     def tearDownClass(cls):
         cls.browser.close()
 
-    def setUp(self):
-        self.open()
-
-    def open(self, width=1280, height=900, **more):
-        self.browser.open(self.page, width, height, **more)
+    def open(self, page="page.html", width=800, height=600, **more):
+        asked = page, width, height, more
+        if Page.opened == asked:
+            self.browser.run(PUT_BACK)
+            self.browser.frame()
+            return
+        self.browser.open(folder / page, width, height, **more)
+        self.browser.run(KEEP_FIRST)
+        Page.opened = asked
 
     def tearDown(self):
         self.assertEqual(self.browser.complaints(), [])
@@ -59,11 +86,8 @@ class Page(unittest.TestCase):
         for name in ("#show-target", "#show-labels"):
             self.browser.click(name)
 
-    def slide(self, value):
-        self.browser.run(f"const slider = document.getElementById('number'); slider.value = {value};"
-                         "slider.dispatchEvent(new Event('input'))")
-
     def test_head_says_what_is_so(self):
+        self.open()
         facts = dict(zip(self.browser.texts("#facts dt"), self.browser.texts("#facts dd")))
         self.assertEqual(facts["cables"], "2")
         self.assertEqual(facts["largest error"], "4 mm (1.41 %)")
@@ -83,6 +107,7 @@ class Page(unittest.TestCase):
         self.assertEqual(len(self.browser.texts("#facts .bad")), 2)
 
     def test_rods_are_where_they_belong_and_take_the_colour_asked_for(self):
+        self.open()
         self.face_on()
         top, within, paper = self.browser.colours(TOP, WITHIN, PAPER)
         self.assertTrue(is_blue(top), top)
@@ -98,6 +123,7 @@ class Page(unittest.TestCase):
         self.assertIn("4 mm", self.browser.texts("#legends")[0])
 
     def test_cables_are_chosen_in_the_drawing_and_in_the_list(self):
+        self.open()
         self.face_on()
         box = self.browser.run("const box = document.getElementById('stage').getBoundingClientRect();"
                                "return [box.width, box.height]")
@@ -114,11 +140,9 @@ class Page(unittest.TestCase):
         self.assertEqual(len(self.browser.texts("#closest tr.chosen")), 1)
 
     def test_crossings_are_listed_and_shown(self):
-        file = folder / "eight.json"
-        file.write_text(json.dumps(designs.eight("eight")))
-        page = folder / "eight.html"
-        subprocess.run([tencer, "view", file, "-o", page, "--quiet"], check=True)
-        self.browser.open(page, 1280, 900)
+        (folder / "eight.json").write_text(json.dumps(designs.eight("eight")))
+        run_tencer("view", "eight.json", "-o", "eight.html")
+        self.open("eight.html")
         over, under, apart = self.browser.texts("#crossing tbody td")
         self.assertEqual(apart, "20 mm")
         half = designs.length_of(designs.eight("eight")) / 2
@@ -133,6 +157,7 @@ class Page(unittest.TestCase):
         self.assertGreater(after[0], after[2] + 60)  # orange
 
     def test_a_point_of_the_plot_shows_its_design(self):
+        self.open()
         x, y = self.browser.run("const point = Chart.getChart('trade-off').getDatasetMeta(0).data[1];"
                                 "return [point.x, point.y]")
         self.browser.click_at("#trade-off", x, y)
@@ -141,11 +166,11 @@ class Page(unittest.TestCase):
         self.browser.click("#designs-table tbody tr:last-child")
         self.assertEqual(self.browser.texts("#facts dd")[0], "5")
         self.face_on()
-        self.slide(0)
+        self.browser.slide("#number", 0)
         self.assertEqual(self.browser.texts("#facts dd")[0], "2")
         across = [(x / 40, y / 40) for x in range(10, 31) for y in range(12, 30)]
         few = self.browser.colours(*across)
-        self.slide(2)
+        self.browser.slide("#number", 2)
         self.assertEqual(self.browser.texts("#facts dd")[0], "5")
         self.assertNotEqual(self.browser.colours(*across), few)
         before, = self.browser.colours(TOP)
@@ -154,6 +179,7 @@ class Page(unittest.TestCase):
         self.assertGreater(distance(before, after), 10)
 
     def test_units_and_files(self):
+        self.open()
         self.assertEqual(self.browser.texts("#cables td:nth-child(2)")[0], "20.80")
         self.browser.choose("#unit", "in")
         self.assertEqual(self.browser.texts("#cables td:nth-child(2)")[0], "8.189")
@@ -167,19 +193,57 @@ class Page(unittest.TestCase):
         self.assertEqual(lines[0], "design,rod,s in,cable,goes to")
         self.assertEqual(len(lines), 5)
 
-    def test_vibrations_are_played(self):
+    def at_second(self, second, *places):
+        """The colours there when the page plays."""
+        self.browser.tick(second)
+        return self.browser.colours(*places)
+
+    def test_vibrations_and_shoves_are_played(self):
+        self.open()
         self.face_on()
+        above = [(0.5, y / 200) for y in range(4, 30)]
+        still = self.browser.colours(*above)
+        self.browser.hold()
         self.browser.choose("#mode", "0")
-        seen = {str(self.browser.colours(*[(0.5, y / 200) for y in range(4, 30)])) for _ in range(4)}
-        self.assertGreater(len(seen), 1)
-        last = self.browser.run("return document.getElementById('mode').options.length - 2")
-        self.browser.choose("#mode", str(last))  # a shove
-        seen = {str(self.browser.colours(*[(0.5, y / 200) for y in range(4, 30)])) for _ in range(4)}
-        self.assertGreater(len(seen), 1)
+        self.assertNotEqual(self.at_second(0.6, *above), self.at_second(1.8, *above))
+        names = self.browser.texts("#mode option")
+        shove = next(i for i, name in enumerate(names) if name.startswith("smooth shove of 14.1 mm"))
+        self.browser.choose("#mode", str(shove - 1))
+        self.assertEqual(self.at_second(0, *above), still)
+        self.assertNotEqual(self.at_second(0.7, *above), still)
+        self.browser.let_go()
         self.browser.press(ESCAPE)
         self.assertEqual(self.browser.run("return document.getElementById('mode').value"), "-1")
+        self.assertEqual(self.browser.colours(*above), still)
+
+    def test_the_slider_goes_through_the_poses_of_an_actuation(self):
+        (folder / "bow.json").write_text(json.dumps(designs.bow("bow")))
+        (folder / "pull.toml").write_text('[[step]]\n1 = "by -30 %"\nframes = 4\n')
+        run_tencer("simulate", "bow.json", "-o", "rest")
+        run_tencer("actuate", "rest/design.json", "pull.toml", "-o", "moves")
+        self.open("moves/view.html")
+        self.face_on()
+        last = int(self.browser.run("return document.getElementById('pose').max"))
+        self.assertGreaterEqual(last, 4)
+        places = [(x / 40, y / 40) for x in range(2, 39) for y in range(2, 39)]
+        open_bow = self.browser.colours(*places)
+        labels = self.browser.texts("#pose-label")
+        self.browser.slide("#pose", last)
+        labels += self.browser.texts("#pose-label")
+        self.assertEqual(labels[1], "step 1, 100 %")
+        self.assertNotEqual(labels[0], labels[1])
+        self.assertNotEqual(self.browser.colours(*places), open_bow)
+        self.browser.slide("#pose", 0)
+        self.assertEqual(self.browser.colours(*places), open_bow)
+        self.browser.hold()
+        self.browser.click("#play-poses")
+        for second in (0, 1):
+            self.browser.tick(second)
+        self.assertEqual(self.browser.run("return document.getElementById('pose').value"), "1")
+        self.browser.let_go()
 
     def test_keys_and_labels(self):
+        self.open()
         self.browser.press("o", "#stage canvas")
         self.assertEqual(self.browser.texts("#lens"), ["perspective"])
         self.browser.choose("#design", "2")
@@ -194,6 +258,7 @@ class Page(unittest.TestCase):
         self.assertEqual(overlaps[1], 0)
 
     def test_the_view_turns_and_zooms_within_limits(self):
+        self.open()
         start = self.browser.texts("#scale-text")[0]
         axis = "return document.getElementById('axis-x').getAttribute('x2')"
         home = self.browser.run(axis)
@@ -208,7 +273,7 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.run(axis), home)
 
     def test_a_phone_has_no_column_off_the_screen(self):
-        self.open(390, 844, touch=True)
+        self.open(width=390, height=844, touch=True)
         self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 390)
         self.assertTrue(self.browser.shown("#stage canvas"))
         self.assertLess(self.browser.run("return document.getElementById('stage').clientHeight"), 600)

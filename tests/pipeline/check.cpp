@@ -5,6 +5,7 @@
 #include <numbers>
 #include <tencer/model/material.hpp>
 #include <tencer/pipeline/check.hpp>
+#include <tencer/pipeline/shoves.hpp>
 #include <tencer/pipeline/vibrations.hpp>
 
 using namespace tencer;
@@ -104,6 +105,24 @@ TEST_CASE("a design's vibrations are those of its check, and a clamped end stays
   REQUIRE(found[0].shape.size() == 1);
   CHECK(found[0].shape[0].leftCols(2).norm() == 0);
   CHECK_THAT(found[0].shape[0].col(edges).cwiseAbs().maxCoeff(), WithinRel(1.0, 1e-9));
+}
+
+TEST_CASE("the shoves that are shown are pushed as far as those of the check") {
+  const auto checked = pipeline::check(bow(1, "cm"));
+  REQUIRE(checked);
+  const auto& pushes = checked->check.comes_back->pushes.back();
+  CHECK(pushes.back == pushes.tried);
+  const auto shoves = pipeline::shoves(checked->design);
+  REQUIRE(shoves.size() == 2);
+  CHECK(shoves[0].smooth);
+  CHECK_FALSE(shoves[1].smooth);
+  for (const pipeline::Shove& shove : shoves) {
+    CHECK(shove.size == Approx(pushes.size));
+    CHECK(shove.back);
+    REQUIRE(shove.poses.size() > 2);
+    const Eigen::Matrix3Xd left = shove.poses.back()[0] - checked->design.pose[0];
+    CHECK(left.colwise().norm().maxCoeff() < 1e-6 * shove.size);
+  }
 }
 
 TEST_CASE("weight that is among the loads is in the pose") {

@@ -9,6 +9,7 @@ function prepared({ file, drawn }, index) {
     closest: drawn.closest,
     crossings: drawn.crossings,
     modes: drawn.modes,
+    shoves: drawn.shoves,
     poses: drawn.poses,
     check: file.check && file.check.lines ? file.check : undefined,
     anchors: file.anchors || [],

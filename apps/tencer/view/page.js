@@ -15,7 +15,7 @@ export const page = {
   labels: true,
   supports: true,
   directors: false,
-  mode: -1, // the vibration that is played, or all of them after a shove; -1: none
+  mode: -1, // the vibration that is played, or further on the shove; -1: none
   pose: 0, // of those that the structure goes through
 };
 

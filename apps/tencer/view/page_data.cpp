@@ -12,6 +12,7 @@
 #include <tencer/model/units.hpp>
 #include <tencer/model/vertex_fields.hpp>
 #include <tencer/model/words.hpp>
+#include <tencer/pipeline/shoves.hpp>
 #include <tencer/pipeline/vibrations.hpp>
 #include <vector>
 
@@ -120,13 +121,34 @@ Json modes_json(const model::Design& design) {
   return {{"hertz", hertz}, {"shapes", shapes}};
 }
 
+// What is to be added to the design's pose for this one.
+Json shape_json(const std::vector<Eigen::Matrix3Xd>& pose, const model::Design& design) {
+  Json shape = Json::array();
+  for (std::size_t r = 0; r < pose.size(); ++r) shape.push_back(points(pose[r] - design.pose[r]));
+  return shape;
+}
+
 Json poses_json(const PageDesign& shown) {
   Json result = Json::array();
-  for (const PagePose& other : shown.poses) {
-    Json shape = Json::array();
-    for (std::size_t r = 0; r < other.pose.size(); ++r)
-      shape.push_back(points(other.pose[r] - shown.design.pose[r]));
-    result.push_back({{"label", other.label}, {"shape", shape}});
+  for (const PagePose& other : shown.poses)
+    result.push_back({{"label", other.label}, {"shape", shape_json(other.pose, shown.design)}});
+  return result;
+}
+
+// Of a design that stands.
+Json shoves_json(const model::Design& design) {
+  Json result = Json::array();
+  if (!design.certificate || !design.certificate->stable || !is_known(design.length_unit))
+    return result;
+  for (const pipeline::Shove& shove : pipeline::shoves(design)) {
+    Json shapes = Json::array();
+    for (const auto& pose : shove.poses) shapes.push_back(shape_json(pose, design));
+    result.push_back({{"size", seen(shove.size)},
+                      {"smooth", shove.smooth},
+                      {"rests", shove.rests},
+                      {"away", seen(shove.away)},
+                      {"back", shove.back},
+                      {"shapes", shapes}});
   }
   return result;
 }
@@ -184,7 +206,8 @@ std::string page_data(const PageDesign& shown) {
   const Eigen::Matrix3d axes = axes_of(design);
   const Json drawn{{"axes", axes_json(axes)},         {"rods", rods},
                    {"closest", closest_json(design)}, {"crossings", crossings_json(design, axes)},
-                   {"modes", modes_json(design)},     {"poses", poses_json(shown)}};
+                   {"modes", modes_json(design)},     {"poses", poses_json(shown)},
+                   {"shoves", shoves_json(design)}};
   return Json{{"file", file_json(shown)}, {"drawn", drawn}}.dump();
 }
 

@@ -36,6 +36,7 @@ struct PageDesign {
 //   poses    each a "label" and, per rod and vertex, the "shape" that it is of, less the design's
 //            pose
 //   modes    the lowest vibrations: "hertz" and, per rod and vertex, the "shape"
+//   shoves   of the check, as pipeline::Shove has them, with "shapes" as poses have one
 std::string page_data(const PageDesign& shown);
 
 }  // namespace tencer::app

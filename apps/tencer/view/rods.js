@@ -101,6 +101,9 @@ function showOver() {
   showGroup('over', [group]);
 }
 
+// No displacement.
+export const still = (design) => design.rods.map((rod) => rod.pose.map(() => [0, 0, 0]));
+
 // Rods displaced by `displacement`, per rod and vertex, `times` as far.
 export function bendRods(displacement, times) {
   const design = seenDesign();

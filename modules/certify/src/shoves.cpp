@@ -38,30 +38,64 @@ Eigen::VectorXd step_of(const System& system, const VibrationModes& modes, const
   return step;
 }
 
+model::Structure without_cables(model::Structure structure) {
+  structure.cables.clear();
+  return structure;
+}
+
+model::State pushed_state(const System& system, const model::State& state,
+                          const VibrationModes& modes, const Push& push) {
+  core::require(push.size > 0 && std::isfinite(push.size), "push_and_release: needs a size");
+  core::require(push.modes >= 1 && modes.computed && !modes.shapes.empty(),
+                "push_and_release: needs modes");
+  return system.displaced(state, step_of(system, modes, push));
+}
+
+// The positions moved onto the target.
+Positions aligned(const model::Target& target, const model::State& state) {
+  const auto motion = sensitivity::deviation(target, state).motion;
+  Positions positions = positions_of(state);
+  for (auto& rod : positions)
+    rod = motion.rotation.transpose() * (rod.colwise() - motion.translation);
+  return positions;
+}
+
 }  // namespace
 
 PushedRest push_and_release(const model::Structure& structure, const model::State& state,
                             const VibrationModes& modes, const Push& push,
                             const std::stop_token& stop) {
-  core::require(push.size > 0 && std::isfinite(push.size), "push_and_release: needs a size");
-  core::require(push.modes >= 1 && modes.computed && !modes.shapes.empty(),
-                "push_and_release: needs modes");
-  model::Structure rods = structure;
-  rods.cables.clear();
-  const System system(rods);
+  const System system(without_cables(structure));
   const model::Target target = model::make_target(structure, positions_of(state));
-  const model::State pushed = system.displaced(state, step_of(system, modes, push));
+  const model::State pushed = pushed_state(system, state, modes, push);
   auto found = equilibrium::relax_inextensible(structure, pushed, {.stop = stop});
   PushedRest result{.rests = found.equilibrium.usable(), .state = found.equilibrium.state};
-  const auto deviation = sensitivity::deviation(target, result.state);
-  result.deviation = deviation.max;
+  result.deviation = sensitivity::deviation(target, result.state).max;
   result.energy = system.energy(result.state) - system.energy(state);
-  const Eigen::Matrix3d back = deviation.motion.rotation.transpose();
-  Positions rest = positions_of(result.state);
-  for (auto& rod : rest) rod = back * (rod.colwise() - deviation.motion.translation);
+  const Positions rest = aligned(target, result.state);
   result.strands_met = strands_meet(structure, positions_of(state), positions_of(pushed)) ||
                        strands_meet(structure, positions_of(pushed), rest);
   return result;
+}
+
+std::vector<Positions> way_of(const model::Structure& structure, const model::State& state,
+                              const VibrationModes& modes, const Push& push) {
+  constexpr int most_steps = 40;
+  const System system(without_cables(structure));
+  const model::Target target = model::make_target(structure, positions_of(state));
+  const model::State pushed = pushed_state(system, state, modes, push);
+  std::vector<Positions> way{aligned(target, pushed)};
+  bool rests = false;
+  for (int steps = 1; steps <= most_steps && !rests; ++steps) {
+    const auto found =
+        equilibrium::relax_inextensible(structure, pushed, {.max_iterations = steps}).equilibrium;
+    way.push_back(aligned(target, found.state));
+    rests = found.usable();
+  }
+  if (!rests)
+    way.push_back(
+        aligned(target, equilibrium::relax_inextensible(structure, pushed).equilibrium.state));
+  return way;
 }
 
 }  // namespace tencer::certify

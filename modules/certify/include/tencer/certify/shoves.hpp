@@ -1,6 +1,7 @@
 // Whether a structure comes back when it is pushed out of its pose and let go.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <stop_token>
 #include <tencer/certify/modes.hpp>
@@ -33,5 +34,12 @@ struct PushedRest {
 PushedRest push_and_release(const model::Structure& structure, const model::State& state,
                             const VibrationModes& modes, const Push& push,
                             const std::stop_token& stop = {});
+
+// What push_and_release() goes through, to be looked at: pushed first, at rest last, between them
+// what the first steps of its solver lead to, which knows no inertia. Vertices per rod, 3 x n,
+// aligned as there. Solves anew for each.
+std::vector<std::vector<Eigen::Matrix3Xd>> way_of(const model::Structure& structure,
+                                                  const model::State& state,
+                                                  const VibrationModes& modes, const Push& push);
 
 }  // namespace tencer::certify
