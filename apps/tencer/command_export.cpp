@@ -28,7 +28,7 @@ core::Expected<ExitCode> run_export(const ExportRequest& request, const Console&
     if (!io::export_format(output))
       return core::Error{output.string(),
                          "there is no format for this ending; let the name end with one of " +
-                             std::string(io::export_endings())};
+                             std::string(io::export_endings()) + "; tencer picture draws .svg"};
   const auto design = io::read_design(request.input);
   if (!design) return design.error();
   for (const auto& output : request.outputs) {

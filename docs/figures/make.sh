@@ -31,3 +31,7 @@ cd docs/figures
 for figure in greedy weights ring pruning knots; do
   gnuplot common.gp "$figure.gp"
 done
+# Those of docs/study.md: tencer study writes the scripts and their data.
+for figure in study-torus-knot-5-3 study-resolutions closed-forms; do
+  gnuplot "$figure.gp"
+done
