@@ -25,10 +25,23 @@ if [[ ${1:-} != draw ]]; then
   } >"$new/weights.csv"
   echo "random closed rods"
   "$bin/bench_figures" knots >"$new/knots.csv"
+  echo "how few"
+  {
+    echo "knot,cables,max_percent,at_least"
+    for knot in 3_1 4_1; do
+      scene=examples/knots/$knot.toml
+      "$bin/tencer" design "$scene" --trade-off --effort 1 -o "$new/$knot" --quiet >"$new/said"
+      tail -n +2 "$new/$knot/trade-off.csv" | while IFS=, read -r cables percent _; do
+        at_least=$("$bin/tencer" feasible "$scene" --max-error "$percent" --json 2>"$new/said" |
+          python3 -c 'import json, sys; print(json.load(sys.stdin)["at_least"]["cables"])')
+        echo "$knot,$cables,$percent,$at_least"
+      done
+    done
+  } >"$new/how-few.csv"
   mv "$new"/*.csv docs/figures/
 fi
 cd docs/figures
-for figure in greedy weights ring pruning knots; do
+for figure in greedy weights ring pruning knots how-few; do
   gnuplot common.gp "$figure.gp"
 done
 # Those of docs/study.md: tencer study writes the scripts and their data.
