@@ -5,8 +5,12 @@ from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 
 # Keeps what the page saves, in place of the dialogue of a browser; and a test may hold the page's
-# frames and tell them the time, one after the other.
+# frames and tell them the time, one after the other. Smooth edges would cost most of the time.
 KEEP_SAVED = """
+const context = HTMLCanvasElement.prototype.getContext;
+HTMLCanvasElement.prototype.getContext = function (kind, more) {
+  return context.call(this, kind, { ...more, antialias: false });
+};
 const soon = requestAnimationFrame;
 let held = null;
 window.requestAnimationFrame = (act) => held ? held.push(act) : soon(act);

@@ -55,6 +55,7 @@ def run_tencer(*arguments):
     subprocess.run([tencer, *arguments], cwd=folder, check=True, stdout=subprocess.DEVNULL)
 
 
+# In the order of their names: those that share the page come before those "with" another.
 class Page(unittest.TestCase):
     opened = None  # what the browser shows
 
@@ -139,7 +140,7 @@ class Page(unittest.TestCase):
         self.browser.click("#closest tbody tr")
         self.assertEqual(len(self.browser.texts("#closest tr.chosen")), 1)
 
-    def test_crossings_are_listed_and_shown(self):
+    def test_with_a_crossing_it_is_listed_and_shown(self):
         (folder / "eight.json").write_text(json.dumps(designs.eight("eight")))
         run_tencer("view", "eight.json", "-o", "eight.html")
         self.open("eight.html")
@@ -216,7 +217,7 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.run("return document.getElementById('mode').value"), "-1")
         self.assertEqual(self.browser.colours(*above), still)
 
-    def test_the_slider_goes_through_the_poses_of_an_actuation(self):
+    def test_with_pulled_cables_the_slider_goes_through_their_poses(self):
         (folder / "bow.json").write_text(json.dumps(designs.bow("bow")))
         (folder / "pull.toml").write_text('[[step]]\n1 = "by -30 %"\nframes = 4\n')
         run_tencer("simulate", "bow.json", "-o", "rest")
@@ -272,7 +273,7 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.texts("#scale-text")[0], start)
         self.assertEqual(self.browser.run(axis), home)
 
-    def test_a_phone_has_no_column_off_the_screen(self):
+    def test_with_a_finger_on_a_phone_no_column_is_off_the_screen(self):
         self.open(width=390, height=844, touch=True)
         self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 390)
         self.assertTrue(self.browser.shown("#stage canvas"))
@@ -295,7 +296,7 @@ class Page(unittest.TestCase):
         self.browser.wait(f"{axis} !== arguments[0]", before[1])
         self.assertEqual(self.browser.run(scrolled), before[0])
 
-    def test_print_has_the_view_and_the_lists(self):
+    def test_with_ink_there_are_the_view_and_the_lists(self):
         self.open(dark=True)
         self.browser.run("window.dispatchEvent(new Event('beforeprint'))")
         self.browser.media("print")
