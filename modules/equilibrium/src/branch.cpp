@@ -209,7 +209,7 @@ void BranchOptions::validate() const {
 
 Eigen::VectorXd lengths_at(const model::Structure& structure, const model::State& state,
                            const Eigen::VectorXd& tensions) {
-  Eigen::VectorXd lengths = cable_lengths(System(structure), state);
+  Eigen::VectorXd lengths = model::cable_lengths(structure, state);
   for (Eigen::Index c = 0; c < lengths.size(); ++c)
     if (!(tensions[c] > 0))
       lengths[c] = std::max(lengths[c], structure.cables[static_cast<std::size_t>(c)].rest_length);

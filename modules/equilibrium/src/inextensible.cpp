@@ -33,7 +33,7 @@ std::optional<std::vector<springs::Cable>> as_springs(const model::Structure& st
 model::Structure as_pulling(const model::Structure& structure, const model::State& state,
                             const Eigen::VectorXd& tensions) {
   model::Structure pulling = structure;
-  const Eigen::VectorXd lengths = cable_lengths(System(structure), state);
+  const Eigen::VectorXd lengths = model::cable_lengths(structure, state);
   for (std::size_t c = 0; c < pulling.cables.size(); ++c) {
     const auto k = static_cast<Eigen::Index>(c);
     pulling.cables[c].stiffness = lengths[k] > 0 ? tensions[k] / lengths[k] : 0;

@@ -23,7 +23,7 @@ model::Structure with_lengths(model::Structure structure, const Eigen::VectorXd&
 // they are told and neither push nor go slack.
 model::Structure at_own_lengths(model::Structure structure, const model::State& state) {
   for (auto& cable : structure.cables) cable.tension_only = false;
-  const Eigen::VectorXd lengths = cable_lengths(System(structure), state);
+  const Eigen::VectorXd lengths = model::cable_lengths(structure, state);
   for (Eigen::Index c = 0; c < lengths.size(); ++c)
     core::require(lengths[c] > 0, "PathStart: the ends of a cable meet");
   return with_lengths(std::move(structure), lengths);

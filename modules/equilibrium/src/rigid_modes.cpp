@@ -53,10 +53,13 @@ Frame frame_of(const System& system, const model::State& state, int component) {
   return frame;
 }
 
+// Up to six of them, a column each, on the stack.
+using Motions = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+
 // Columns: an orthonormal basis of {m : rows m = 0}, up to a relative tolerance.
-Eigen::MatrixXd null_space(const Eigen::MatrixXd& rows) {
+Motions null_space(const Eigen::MatrixXd& rows) {
   constexpr double tolerance = 1e-9;
-  if (rows.rows() == 0) return Eigen::MatrixXd::Identity(6, 6);
+  if (rows.rows() == 0) return Motions::Identity(6, 6);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
   const auto& values = svd.singularValues();
   int rank = 0;
@@ -65,8 +68,8 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& rows) {
 }
 
 // The rigid motions that the supports and loads of a component allow, 6 x k.
-Eigen::MatrixXd allowed_motions(const System& system, const model::State& state, int component,
-                                const Frame& frame) {
+Motions allowed_motions(const System& system, const model::State& state, int component,
+                        const Frame& frame) {
   const model::Structure& structure = system.structure();
   std::vector<Eigen::Matrix<double, 1, 6>> rows;
   const auto in_component = [&](int rod) { return system.component_of_rod()[rod] == component; };
@@ -112,13 +115,14 @@ Eigen::MatrixXd allowed_motions(const System& system, const model::State& state,
 
 // The displacement of every free unknown of the component under the motions (6 x k).
 Eigen::MatrixXd displacements(const System& system, const model::State& state, int component,
-                              const Frame& frame, const Eigen::MatrixXd& motions) {
+                              const Frame& frame, const Motions& motions) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(system.size(), motions.cols());
   for (int r = 0; r < static_cast<int>(state.size()); ++r) {
     if (system.component_of_rod()[r] != component) continue;
     const auto& rod_state = state[r];
     for (int v = 0; v < rod_state.x.cols(); ++v) {
-      const Eigen::MatrixXd moved = frame.velocity(rod_state.x.col(v)) * motions;
+      const Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 6> moved =
+          frame.velocity(rod_state.x.col(v)).lazyProduct(motions);
       for (int axis = 0; axis < 3; ++axis)
         if (const int at = system.position_index(r, v, axis); at >= 0)
           result.row(at) = moved.row(axis);

@@ -77,6 +77,8 @@ class Newton {
   Equilibrium& result_;
   double shift_ = 0.0;
   double last_turn_ = std::numeric_limits<double>::infinity();
+  double turned_ = 0.0;                                         // by edges, all steps together
+  double anchored_ = -std::numeric_limits<double>::infinity();  // turned_ where at_.rigid is of
 };
 
 Newton::Point Newton::evaluate(model::State state) {
@@ -101,7 +103,12 @@ Newton::Point Newton::step_from(const Point& from, const Eigen::VectorXd& step) 
 // stiffness.
 void Newton::factorise_positive(const Point& point) {
   constexpr double far = 0.5;  // residual above which predicted forces are not to be trusted
-  at_.rigid = rigid_modes(system_, point.state);
+  // Any modes near those of this point anchor the matrix as well.
+  constexpr double near_by = 0.1;
+  if (!(turned_ - anchored_ <= near_by)) {
+    at_.rigid = rigid_modes(system_, point.state);
+    anchored_ = turned_;
+  }
   const auto attempt = [&] {
     check(system_, at_, at_.factor.factorise(at_.matrix));
     ++result_.factorisations;
@@ -240,7 +247,6 @@ void Newton::run(model::State start) {
   double reference_slope = 0;
   double rounding = 0;  // of its energy
   int waited = 0;
-  double turned = 0;
   for (;; ++result_.iterations) {
     const bool balance = balanced(now);
     if (balance) {
@@ -264,8 +270,8 @@ void Newton::run(model::State start) {
     const double slope = now.gradient.dot(step);
     const double turn = largest_rotation(system_, now.state, step);
     const double length = std::min(1.0, options_.max_rotation / turn);
-    turned += length * turn;
-    if (turned > options_.max_path_rotation) return finish(std::move(now), Reason::path_limit);
+    turned_ += length * turn;
+    if (turned_ > options_.max_path_rotation) return finish(std::move(now), Reason::path_limit);
     step *= length;
     const double now_residual = now.residual;
     Point next = step_from(now, step);

@@ -83,9 +83,10 @@ System::System(model::Structure structure, geometry::Side side)
     if (der::twist_model(structure_.rods[r]) == der::TwistModel::uniform) ++saddle_unknowns_;
     for (auto& element : der::elements(structure_.rods[r])) {
       for (int& unknown : element) unknown = index_[r][unknown];
-      rod_elements_.push_back(std::move(element));
+      elements_.push_back(std::move(element));
     }
   }
+  rod_elements_ = elements_.size();
   for (const auto& cable : structure_.cables)
     stencils_.push_back(springs::stencil(cable, arc_lengths_, structure_.anchors, side_));
   lay_out();
@@ -134,10 +135,10 @@ void System::lay_out() {
         stabilising_unknowns_[component].push_back(theta);
   }
 
-  std::vector<std::vector<int>> elements = rod_elements_;
-  for (const auto& stencil : stencils_) elements.push_back(stencil_unknowns(stencil, index_));
-  elements.insert(elements.end(), stabilising_unknowns_.begin(), stabilising_unknowns_.end());
-  assembler_ = std::make_unique<linalg::SymmetricAssembler>(size_, elements);
+  elements_.resize(rod_elements_);
+  for (const auto& stencil : stencils_) elements_.push_back(stencil_unknowns(stencil, index_));
+  elements_.insert(elements_.end(), stabilising_unknowns_.begin(), stabilising_unknowns_.end());
+  assembler_ = std::make_unique<linalg::SymmetricAssembler>(size_, elements_);
 }
 
 double System::energy(const model::State& state) const {
@@ -220,7 +221,7 @@ void System::hessian(const model::State& state, const InternalForces& forces,
 
 void System::add_stabilising(int component, const Eigen::MatrixXd& stabilising,
                              linalg::SymmetricMatrix& matrix) const {
-  const int first = static_cast<int>(rod_elements_.size() + stencils_.size());
+  const int first = static_cast<int>(rod_elements_ + stencils_.size());
   assembler_->add(first + component, stabilising.data(), matrix);
 }
 

@@ -9,6 +9,7 @@
 #include <tencer/ground_structure/balanced_tensions.hpp>
 #include <tencer/ground_structure/beam_search.hpp>
 #include <tencer/sensitivity/distance.hpp>
+#include <tuple>
 #include <utility>
 
 namespace tencer::ground_structure {
@@ -130,7 +131,7 @@ void grow(const Set& set, Orbits& orbits, const BeamSearchOptions& options,
 
 std::vector<Set> best_of(std::vector<Set> grown, const Orbits& orbits,
                          const equilibrium::System& system, int width) {
-  std::ranges::sort(grown, {}, [](const Set& set) { return std::pair(set.rest, set.orbits); });
+  std::ranges::sort(grown, {}, [](const Set& set) { return std::tie(set.rest, set.orbits); });
   std::set<Signature> seen;
   std::vector<Set> best;
   for (Set& set : grown) {

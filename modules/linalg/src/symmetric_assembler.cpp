@@ -1,16 +1,12 @@
 #include <algorithm>
+#include <numeric>
 #include <tencer/core/error.hpp>
 #include <tencer/linalg/symmetric_assembler.hpp>
 
 namespace tencer::linalg {
 
 SymmetricAssembler::SymmetricAssembler(int size, std::span<const std::vector<int>> elements) {
-  // For every unknown, where it stands in the elements.
-  struct Place {
-    int element;
-    int local;
-  };
-  std::vector<std::vector<Place>> places(size);
+  std::vector<int> first_place(size + 1, 0);
   first_slot_.push_back(0);
   for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
     const auto& element = elements[e];
@@ -18,11 +14,27 @@ SymmetricAssembler::SymmetricAssembler(int size, std::span<const std::vector<int
     for (int b = 0; b < static_cast<int>(element.size()); ++b) {
       core::require(element[b] < size, "SymmetricAssembler: an index is not below the size");
       if (element[b] < 0) continue;
-      places[element[b]].push_back({e, b});
+      ++first_place[element[b] + 1];
       for (int row : element) pairs += row >= element[b] ? 1 : 0;
     }
     first_slot_.push_back(first_slot_.back() + pairs);
   }
+
+  // For every unknown, where it stands in the elements.
+  struct Place {
+    int element;
+    int local;
+  };
+  std::partial_sum(first_place.begin(), first_place.end(), first_place.begin());
+  std::vector<Place> all_places(first_place.back());
+  std::vector<int> next_place(first_place.begin(), first_place.end() - 1);
+  for (int e = 0; e < static_cast<int>(elements.size()); ++e)
+    for (int b = 0; b < static_cast<int>(elements[e].size()); ++b)
+      if (elements[e][b] >= 0) all_places[next_place[elements[e][b]]++] = {e, b};
+  const auto places = [&](int unknown) {
+    return std::span(all_places)
+        .subspan(first_place[unknown], first_place[unknown + 1] - first_place[unknown]);
+  };
 
   // Column by column: which rows its elements couple it with, then where their entries land.
   slots_.resize(first_slot_.back());
@@ -32,7 +44,7 @@ SymmetricAssembler::SymmetricAssembler(int size, std::span<const std::vector<int
   for (int j = 0; j < size; ++j) {
     rows.assign(1, j);
     position[j] = 0;
-    for (const Place& place : places[j])
+    for (const Place& place : places(j))
       for (int row : elements[place.element])
         if (row > j && position[row] < 0) {
           position[row] = 0;
@@ -44,7 +56,7 @@ SymmetricAssembler::SymmetricAssembler(int size, std::span<const std::vector<int
       all_rows.push_back(row);
     }
     column_starts.push_back(static_cast<int>(all_rows.size()));
-    for (const Place& place : places[j]) {
+    for (const Place& place : places(j)) {
       const auto& element = elements[place.element];
       const int k = static_cast<int>(element.size());
       for (int a = 0; a < k; ++a)

@@ -9,14 +9,7 @@ int cable_count(const Network& network) {
 }
 
 Eigen::VectorXd cable_lengths(const Network& network) {
-  const auto& structure = network.structure;
-  const auto along = model::arc_lengths(structure);
-  Eigen::VectorXd lengths(static_cast<Eigen::Index>(structure.cables.size()));
-  for (Eigen::Index i = 0; i < lengths.size(); ++i)
-    lengths[i] = model::span_of(springs::stencil(structure.cables[i], along, structure.anchors),
-                                network.state)
-                     .norm();
-  return lengths;
+  return model::cable_lengths(network.structure, network.state);
 }
 
 Eigen::VectorXd cable_tensions(const Network& network) {

@@ -16,4 +16,13 @@ Eigen::Vector3d span_of(const springs::Stencil& stencil, const State& state) {
   return springs::span_of(stencil, [&](int rod, int vertex) { return state[rod].x.col(vertex); });
 }
 
+Eigen::VectorXd cable_lengths(const Structure& structure, const State& state) {
+  const auto along = arc_lengths(structure);
+  Eigen::VectorXd lengths(static_cast<Eigen::Index>(structure.cables.size()));
+  for (Eigen::Index i = 0; i < lengths.size(); ++i)
+    lengths[i] =
+        span_of(springs::stencil(structure.cables[i], along, structure.anchors), state).norm();
+  return lengths;
+}
+
 }  // namespace tencer::model

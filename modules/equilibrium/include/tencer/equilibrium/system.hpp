@@ -93,7 +93,8 @@ class System {
   std::vector<geometry::ArcLength> arc_lengths_;
   std::vector<springs::Stencil> stencils_;
   std::vector<std::vector<int>> index_;
-  std::vector<std::vector<int>> rod_elements_;  // in free unknowns, rod after rod
+  std::vector<std::vector<int>> elements_;      // in free unknowns: of rods, cables, components
+  std::size_t rod_elements_ = 0;                // how many of them are of rods
   std::vector<Eigen::Matrix3Xd> vertex_loads_;  // force on every vertex of every rod, or no rods
   Eigen::VectorXd load_gradient_;
   std::vector<int> component_of_rod_;

@@ -18,4 +18,7 @@ State make_state(const Structure& structure, const std::vector<Eigen::Matrix3Xd>
 // The vector from a cable's end a to its end b at a state.
 Eigen::Vector3d span_of(const springs::Stencil& stencil, const State& state);
 
+// Of every cable at a state, from end to end.
+Eigen::VectorXd cable_lengths(const Structure& structure, const State& state);
+
 }  // namespace tencer::model
