@@ -7,8 +7,10 @@
 #include <tencer/io/file.hpp>
 #include <tencer/io/schedule.hpp>
 #include <tencer/model/units.hpp>
+#include <tencer/rehearsal/actuate.hpp>
 
 #include "actuate/actuate.hpp"
+#include "actuate/words.hpp"
 #include "interrupt.hpp"
 #include "terminal/activity.hpp"
 
@@ -55,13 +57,14 @@ core::Expected<ExitCode> run_actuate(const ActuateRequest& request, const Consol
     if (const auto error = io::folder_problem(request.output)) return *error;
   const Interrupt interrupt;
   Activity activity(console, "pulling cables");
-  const auto told = actuate(*design, *schedule, interrupt.token());
-  if (!told) return core::Error{request.input.string(), told.error().message};
+  const auto actuated = rehearsal::actuate(*design, *schedule, interrupt.token());
+  if (!actuated) return core::Error{request.input.string(), actuated.error().message};
   if (!request.output.empty())
-    if (const auto error = io::write_files(request.output, told->files)) return *error;
+    if (const auto error = io::write_files(request.output, actuation_files(*actuated)))
+      return *error;
   activity.end();
-  console.say(told->words);
-  return told->finished ? ExitCode::ok : ExitCode::tolerance_not_reached;
+  console.say(in_words(*actuated));
+  return actuated->finished ? ExitCode::ok : ExitCode::tolerance_not_reached;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ PYBIND11_MODULE(_core, module) {
   bind_scene(module);
   bind_design(module);
   bind_runs(module);
+  bind_actuate(module);
   bind_optimize(module);
   bind_search(module);
   bind_page(module);

@@ -10,6 +10,7 @@ void bind_errors(py::module_& module);
 void bind_scene(py::module_& module);
 void bind_design(py::module_& module);
 void bind_runs(py::module_& module);
+void bind_actuate(py::module_& module);
 void bind_structure(py::module_& module);
 void bind_optimize(py::module_& module);
 void bind_search(py::module_& module);

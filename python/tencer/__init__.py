@@ -13,6 +13,7 @@ the names of the scene file (docs/scene.md); docs/python.md is the guide.
 
 from . import _core
 from ._core import (
+    Actuation,
     Cable,
     Curve,
     Design,
@@ -42,6 +43,7 @@ from .results import Check, Feasibility
 from .structures import hessian
 
 __all__ = [
+    "Actuation",
     "Cable",
     "Check",
     "Curve",

@@ -1,4 +1,4 @@
-"""What a Design has beside what the library says of it: arrays by name, and files."""
+"""What results have beside what the library says of them: arrays by name, words and files."""
 
 import html
 import json
@@ -10,6 +10,7 @@ import webbrowser
 import numpy as np
 
 from . import _core
+from .keys import Keys
 
 
 class Check(dict):
@@ -72,6 +73,22 @@ def _simulate(design, *, start="pose", cables="inextensible", refine=1):
     return _core.simulate(design, start == "target", cables == "springs", refine)
 
 
+def _actuate(design, schedule):
+    """What the design does while its cables change length slowly, as a tencer.Actuation.
+
+    schedule: the path of a file as `tencer actuate` takes (docs/actuate.md), or its steps, a dict each:
+        {2: "by -12 mm", "5-7": "to 80 %", "frames": 20}. Cables go by the numbers that they have on
+        the sheet and on the page, from 1: row k of design.cables is cable k + 1.
+
+    Ctrl-C ends it with the poses so far. Raises tencer.Error, which names the key or the file and line,
+    and where the design does not rest in its pose.
+    """
+    if isinstance(schedule, (str, os.PathLike)):
+        return _core.actuate(design, os.fspath(schedule), "")
+    steps = [schedule] if isinstance(schedule, dict) else list(schedule)
+    return _core.actuate(design, None, Keys({"step": steps}).text)
+
+
 def _column(name, what):
     return property(lambda design: design.cables[name], doc=what)
 
@@ -107,40 +124,55 @@ def _export(design, path):
     _core.write_file(path, content)
 
 
+def _need_program(what):
+    if not hasattr(_core, "page"):
+        raise RuntimeError(f"this build has no {what}: it was made without the program (TENCER_APPS)")
+
+
 def _picture(design, path, *, views=(), caption="", numbers=True):
     """Draws the design into a file, .svg, .pdf or .png, as `tencer picture` does. views: of "oblique",
     "front", "side" and "top"; numbers: whether rods and cables have their names.
     """
-    if not hasattr(_core, "picture_bytes"):
-        raise RuntimeError("this build has no pictures: it was made without the program (TENCER_APPS)")
+    _need_program("pictures")
     views = [views] if isinstance(views, str) else list(views)
     content = _core.picture_bytes(design, os.fspath(path), views, caption, numbers)
     _core.write_file(os.fspath(path), content)
 
 
-def _page(design):
-    """The page of the design, view.html, as text."""
-    if not hasattr(_core, "page"):
-        raise RuntimeError("this build has no page: it was made without the program (TENCER_APPS)")
-    return _core.page(design)
+def _page(shown):
+    """The page, view.html, as text."""
+    _need_program("page")
+    return _core.page(shown)
 
 
-def _repr_html(design):
+def _actuation_report(actuation):
+    """What happened, in the words of `tencer actuate`: a line for each step, and for each jump."""
+    _need_program("words for this")
+    return _core.actuation_report(actuation)
+
+
+def _export_actuation(actuation, folder):
+    """Writes what `tencer actuate` does into the folder: page, poses.csv, an OBJ for each pose, pictures."""
+    _need_program("files of this")
+    _core.write_actuation(actuation, os.fspath(folder))
+
+
+def _repr_html(shown):
     """The page in a notebook."""
     if not hasattr(_core, "page"):
         return None  # the notebook falls back on the text
-    page = html.escape(_core.page(design))
+    page = html.escape(_core.page(shown))
     return f'<iframe srcdoc="{page}" style="width: 100%; height: 900px; border: 0"></iframe>'
 
 
-def _show(design):
+def _show(shown):
     """Shows the page: in the notebook, or in a browser; returns the file that a browser reads."""
     if "IPython" in sys.modules and sys.modules["IPython"].get_ipython() is not None:
-        sys.modules["IPython"].display.display(design)
+        sys.modules["IPython"].display.display(shown)
         return None
     folder = tempfile.mkdtemp(prefix="tencer-")
-    path = os.path.join(folder, design.name + ".html")
-    _core.write_file(path, _page(design))
+    path = os.path.join(folder, shown.name + ".html")
+    _core.write_file(path, _page(shown))
     webbrowser.open("file://" + path)
     return path
 
@@ -167,6 +199,7 @@ def _plot(design, axes=None):
 _core.Design.tensions = _column("tension", "What each cable pulls with, (cables,), forces.")
 _core.Design.lengths = _column("length", "Each cable's length as built, (cables,).")
 _core.Design.marks = property(_marks)
+_core.Design.actuate = _actuate
 _core.Design.check = _check
 _core.Design.simulate = _simulate
 _core.Design.export = _export
@@ -175,3 +208,11 @@ _core.Design.page = _page
 _core.Design.picture = _picture
 _core.Design.show = _show
 _core.Design._repr_html_ = _repr_html
+
+_core.Actuation.report = _actuation_report
+_core.Actuation.export = _export_actuation
+_core.Actuation.page = _page
+_core.Actuation.show = _show
+_core.Actuation._repr_html_ = _repr_html
+if hasattr(_core, "page"):
+    _core.Actuation.__str__ = _actuation_report

@@ -46,6 +46,17 @@ all = "to 100 %"
   CHECK(read->steps[2].changes[2]);
 }
 
+TEST_CASE("a schedule in memory is read alike, and errors name the key alone") {
+  const auto read =
+      io::schedule_of_text(R"("step" = [{"2" = "by -5 mm", "frames" = 3}])", with_cables(3));
+  REQUIRE(read);
+  CHECK(read->steps[0].frames == 3);
+  CHECK(read->steps[0].changes[1]->amount == -5);
+  const auto none = io::schedule_of_text(R"(step = [{"4" = "by -5 mm"}])", with_cables(3));
+  REQUIRE_FALSE(none);
+  CHECK(none.error().text() == "step[0].4: the design has no such cable: it has 3 cables, from 1");
+}
+
 TEST_CASE("schedules that cannot be followed are refused, with the line") {
   using Catch::Matchers::Contains;
   CHECK_THAT(refusal(""), Contains("has no step"));

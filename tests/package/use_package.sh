@@ -14,6 +14,9 @@ tencer design $examples/trefoil.obj -o knot
 grep -q '<svg' knot/picture.svg
 tencer check knot/design.json >check.txt
 tencer fabricate knot/design.json
+printf '[[step]]\n1 = "by -2 %%"\n' >pull.toml
+tencer actuate knot/design.json pull.toml -o moves
+test -s moves/view.html
 tencer study $examples/trefoil.obj -o study --methods force-balance --quiet
 grep -q '<svg' study/trefoil.svg # drawn by gnuplot
 
@@ -29,6 +32,7 @@ design = tencer.design(knot, max_error=2, effort=1)
 print(design)
 assert design.complete and len(design.tensions) == len(design.cables)
 design.plot().figure.savefig("knot.png")
+assert design.actuate({1: "by -2 %"}).finished
 assert "<html" in design._repr_html_() or "<iframe" in design._repr_html_()
 print("tencer", importlib.metadata.version("tencer"), "from", tencer.__file__)
 PYTHON

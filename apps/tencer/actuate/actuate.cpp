@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <tencer/io/export.hpp>
-#include <tencer/rehearsal/actuate.hpp>
 
 #include "actuate/words.hpp"
 #include "drawing/picture.hpp"
@@ -10,13 +9,6 @@
 
 namespace tencer::app {
 namespace {
-
-std::string page_of(const rehearsal::Actuated& actuated) {
-  PageDesign shown{.design = actuated.design};
-  for (const rehearsal::ActuatedPose& pose : actuated.poses)
-    shown.poses.push_back({label_of(pose), pose.pose});
-  return view_page(std::span(&shown, 1));
-}
 
 // "pose-0012.obj"
 std::string pose_name(std::size_t k) {
@@ -27,23 +19,26 @@ std::string pose_name(std::size_t k) {
 
 }  // namespace
 
-core::Expected<Told> actuate(const model::Design& design, const model::Schedule& schedule,
-                             const std::stop_token& stop) {
-  const auto actuated = rehearsal::actuate(design, schedule, stop);
-  if (!actuated) return actuated.error();
+std::string view_page(const rehearsal::Actuated& actuated) {
+  PageDesign shown{.design = actuated.design};
+  for (const rehearsal::ActuatedPose& pose : actuated.poses)
+    shown.poses.push_back({label_of(pose), pose.pose});
+  return view_page(std::span(&shown, 1));
+}
+
+std::vector<io::NamedText> actuation_files(const rehearsal::Actuated& actuated) {
   const auto at = [&](const rehearsal::ActuatedPose& pose) {
-    return rehearsal::in_pose(actuated->design, pose);
+    return rehearsal::in_pose(actuated.design, pose);
   };
-  Told told{.words = in_words(*actuated), .finished = actuated->finished};
-  told.files = {{"poses.csv", poses_csv(*actuated)},
-                {"report.txt", told.words},
-                {"view.html", page_of(*actuated)},
-                {"start.svg", picture(at(actuated->poses.front()), PictureFormat::svg)},
-                {"end.svg", picture(at(actuated->poses.back()), PictureFormat::svg)}};
-  for (std::size_t k = 0; k < actuated->poses.size(); ++k)
-    told.files.push_back(
-        {pose_name(k), io::export_text(at(actuated->poses[k]), io::ExportFormat::obj)});
-  return told;
+  std::vector<io::NamedText> files{
+      {"poses.csv", poses_csv(actuated)},
+      {"report.txt", in_words(actuated)},
+      {"view.html", view_page(actuated)},
+      {"start.svg", picture(at(actuated.poses.front()), PictureFormat::svg)},
+      {"end.svg", picture(at(actuated.poses.back()), PictureFormat::svg)}};
+  for (std::size_t k = 0; k < actuated.poses.size(); ++k)
+    files.push_back({pose_name(k), io::export_text(at(actuated.poses[k]), io::ExportFormat::obj)});
+  return files;
 }
 
 }  // namespace tencer::app

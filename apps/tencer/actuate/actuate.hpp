@@ -1,24 +1,18 @@
-// What a design does when its cables are pulled and let go, as it is told and written.
+// What a design does when its cables are pulled and let go, as files.
 #pragma once
 
-#include <stop_token>
 #include <string>
-#include <tencer/core/error.hpp>
 #include <tencer/io/file.hpp>
-#include <tencer/model/design.hpp>
-#include <tencer/model/schedule.hpp>
+#include <tencer/rehearsal/actuate.hpp>
 #include <vector>
 
 namespace tencer::app {
 
-struct Told {
-  std::string words{};
-  std::vector<io::NamedText> files{};  // poses.csv, view.html, pose-0000.obj and so on
-  bool finished = false;               // false: no rest was found before the end
-};
+// The page, which plays the poses.
+std::string view_page(const rehearsal::Actuated& actuated);
 
-// The design's units are known. Errors: it does not rest in its pose.
-core::Expected<Told> actuate(const model::Design& design, const model::Schedule& schedule,
-                             const std::stop_token& stop);
+// What a folder of it holds: poses.csv, view.html, pose-0000.obj and so on. The design's units are
+// known.
+std::vector<io::NamedText> actuation_files(const rehearsal::Actuated& actuated);
 
 }  // namespace tencer::app

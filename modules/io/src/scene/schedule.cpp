@@ -67,24 +67,32 @@ void check_lengths(const TomlTable& step, const Eigen::VectorXd& lengths) {
                              to_text(lengths[c]) + "; it must stay above zero");
 }
 
+// Of a file, or with an empty name of what is in none.
+model::Schedule parse_schedule(const std::string& text, const std::string& file,
+                               const model::Design& design) {
+  const toml::table content = TomlTable::parse(text, file);
+  const TomlTable root(content);
+  root.only({"step"});
+  const std::vector<TomlTable> steps = root.tables("step");
+  if (steps.empty()) fail(file, "has no step; write [[step]] and below it 1 = \"by -10 %\"");
+  model::Schedule schedule;
+  for (const TomlTable& step : steps)
+    schedule.steps.push_back(read_step(step, static_cast<int>(design.built.size())));
+  const auto lengths = model::lengths_of(schedule, design);
+  for (std::size_t k = 0; k < steps.size(); ++k) check_lengths(steps[k], lengths[k]);
+  return schedule;
+}
+
 }  // namespace
 
 core::Expected<model::Schedule> read_schedule(const std::filesystem::path& path,
                                               const model::Design& design) {
-  return guarded([&] {
-    const toml::table content = TomlTable::parse(read_text(path), shown(path));
-    const TomlTable root(content);
-    root.only({"step"});
-    const std::vector<TomlTable> steps = root.tables("step");
-    if (steps.empty())
-      fail(shown(path), "has no step; write [[step]] and below it 1 = \"by -10 %\"");
-    model::Schedule schedule;
-    for (const TomlTable& step : steps)
-      schedule.steps.push_back(read_step(step, static_cast<int>(design.built.size())));
-    const auto lengths = model::lengths_of(schedule, design);
-    for (std::size_t k = 0; k < steps.size(); ++k) check_lengths(steps[k], lengths[k]);
-    return schedule;
-  });
+  return guarded([&] { return parse_schedule(read_text(path), shown(path), design); });
+}
+
+core::Expected<model::Schedule> schedule_of_text(const std::string& text,
+                                                 const model::Design& design) {
+  return guarded([&] { return parse_schedule(text, "", design); });
 }
 
 }  // namespace tencer::io

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <tencer/core/error.hpp>
 #include <tencer/model/schedule.hpp>
 
@@ -12,5 +13,9 @@ namespace tencer::io {
 // the key: a cable that the design has not, a length that is none, or not positive.
 core::Expected<model::Schedule> read_schedule(const std::filesystem::path& path,
                                               const model::Design& design);
+
+// The same of TOML in memory. Errors name the key alone.
+core::Expected<model::Schedule> schedule_of_text(const std::string& text,
+                                                 const model::Design& design);
 
 }  // namespace tencer::io
