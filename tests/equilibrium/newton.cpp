@@ -269,3 +269,22 @@ TEST_CASE("an equilibrium that some motion leaves at no cost is not called stabl
   CHECK_FALSE(result.usable());
   CHECK(result.reason == Reason::neutral);
 }
+
+// What turns a rod about the line between its ends moves it less and less as it straightens, until
+// it is no motion at all.
+TEST_CASE("a bent rod that nothing holds straightens, free or clamped at one end") {
+  const int vertices = 21;
+  model::Structure rod{.rods = {models::slender_rod(false, vertices, 1.0)}};
+  if (GENERATE(false, true))
+    rod.pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = 1}};
+  Eigen::Matrix3Xd bent = models::straight(vertices, 1.0);
+  for (int i = 2; i < vertices; ++i) {
+    const double s = bent(0, i) - bent(0, 1);
+    bent(1, i) = 0.1 * s * s;
+    bent(2, i) = 0.05 * s * s * s;
+  }
+  const Equilibrium found = solve(System(rod), model::make_state(rod, {bent}));
+  CHECK(found.usable());
+  CHECK(found.factorisations < 20);
+  CHECK(found.energy < 1e-12);
+}

@@ -135,17 +135,21 @@ Eigen::MatrixXd displacements(const System& system, const model::State& state, i
   return result;
 }
 
+struct Orthonormal {
+  Eigen::MatrixXd basis;
+  double least = 1.0;  // of the columns' directions the smallest, of the scale
+};
+
 // An orthonormal basis of the columns, dropping directions smaller than `scale` by a relative
 // tolerance (a straight rod does not move when it turns about itself).
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double scale) {
+Orthonormal orthonormal(const Eigen::MatrixXd& columns, double scale) {
   constexpr double tolerance = 1e-7;
-  if (columns.cols() == 0 || columns.rows() == 0) return Eigen::MatrixXd(columns.rows(), 0);
+  if (columns.cols() == 0 || columns.rows() == 0) return {Eigen::MatrixXd(columns.rows(), 0)};
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+  const Eigen::VectorXd sizes = qr.matrixQR().diagonal().cwiseAbs() / scale;
   int rank = 0;
-  while (rank < qr.matrixQR().diagonal().size() &&
-         std::abs(qr.matrixQR()(rank, rank)) > tolerance * scale)
-    ++rank;
-  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), rank);
+  while (rank < sizes.size() && sizes[rank] > tolerance) ++rank;
+  return {qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), rank), sizes.minCoeff()};
 }
 
 }  // namespace
@@ -159,10 +163,12 @@ std::vector<RigidModes> rigid_modes(const System& system, const model::State& st
                                                 allowed_motions(system, state, component, frame));
     RigidModes& mode = modes.emplace_back();
     // A unit motion moves a vertex by about 1.
-    mode.basis = orthonormal(moved, std::sqrt(moved.rows()));
+    Orthonormal all = orthonormal(moved, std::sqrt(moved.rows()));
+    mode.basis = std::move(all.basis);
+    mode.steadiness = all.least;
     const auto& unknowns = system.stabilising_unknowns()[component];
     const double share = static_cast<double>(unknowns.size()) / system.size();
-    mode.stabilising = orthonormal(mode.basis(unknowns, Eigen::all), std::sqrt(share));
+    mode.stabilising = orthonormal(mode.basis(unknowns, Eigen::all), std::sqrt(share)).basis;
   }
   return modes;
 }
@@ -189,6 +195,12 @@ bool holds_loads(const System& system, const std::vector<RigidModes>& modes) {
 
 void remove_rigid(const std::vector<RigidModes>& modes, Eigen::Ref<Eigen::VectorXd> v) {
   for (const auto& mode : modes) v -= mode.basis * (mode.basis.transpose() * v);
+}
+
+double steadiness(const std::vector<RigidModes>& modes) {
+  double least = 1.0;
+  for (const auto& mode : modes) least = std::min(least, mode.steadiness);
+  return least;
 }
 
 int floating_components(const std::vector<RigidModes>& modes) {

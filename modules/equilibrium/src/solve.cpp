@@ -77,8 +77,8 @@ class Newton {
   Equilibrium& result_;
   double shift_ = 0.0;
   double last_turn_ = std::numeric_limits<double>::infinity();
-  double turned_ = 0.0;                                         // by edges, all steps together
-  double anchored_ = -std::numeric_limits<double>::infinity();  // turned_ where at_.rigid is of
+  double turned_ = 0.0;        // by edges, all steps together
+  double turned_until_ = 0.0;  // how far they may before at_.rigid is found anew
 };
 
 Newton::Point Newton::evaluate(model::State state) {
@@ -104,10 +104,10 @@ Newton::Point Newton::step_from(const Point& from, const Eigen::VectorXd& step) 
 void Newton::factorise_positive(const Point& point) {
   constexpr double far = 0.5;  // residual above which predicted forces are not to be trusted
   // Any modes near those of this point anchor the matrix as well.
-  constexpr double near_by = 0.1;
-  if (!(turned_ - anchored_ <= near_by)) {
+  constexpr double near_by = 0.2;
+  if (turned_ >= turned_until_) {
     at_.rigid = rigid_modes(system_, point.state);
-    anchored_ = turned_;
+    turned_until_ = turned_ + near_by * steadiness(at_.rigid);
   }
   const auto attempt = [&] {
     check(system_, at_, at_.factor.factorise(at_.matrix));

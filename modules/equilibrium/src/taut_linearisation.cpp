@@ -113,10 +113,11 @@ void TautLinearisation::border_rigid_motion(const System& system) {
   const Eigen::VectorXd root = edge_stiffness(system).cwiseSqrt();
   Eigen::Index first = 0;
   for (std::size_t g = 0; g < at_.rigid.size(); ++g) {
-    const auto& [basis, stabilising] = at_.rigid[g];
+    const auto& basis = at_.rigid[g].basis;
     if (basis.cols() == 0) continue;
     const auto& unknowns = system.stabilising_unknowns()[g];
-    border_(unknowns, Eigen::seqN(first, basis.cols())) = root(unknowns).asDiagonal() * stabilising;
+    border_(unknowns, Eigen::seqN(first, basis.cols())) =
+        root(unknowns).asDiagonal() * at_.rigid[g].stabilising;
     border_.middleCols(count + first, basis.cols()) = basis;
     first += basis.cols();
   }

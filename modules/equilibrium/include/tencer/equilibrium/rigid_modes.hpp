@@ -19,12 +19,20 @@ namespace tencer::equilibrium {
 // its solves differ from the pseudo-inverse by rigid motions alone, and its inertia is that of H on
 // the other motions plus r positive ones. Scaled so, it takes no digits from H, however much
 // stiffer one rod is than another.
+//
+// steadiness, from 0 to about 1, is how far the allowed motion that moves the component least moves
+// it: 0 for a straight rod that turns about itself. The modes turn with the rods and, as a rod
+// straightens, one of them vanishes: they change by about what edges turn over steadiness.
 struct RigidModes {
   Eigen::MatrixXd basis;
   Eigen::MatrixXd stabilising;
+  double steadiness = 1.0;
 };
 
 std::vector<RigidModes> rigid_modes(const System& system, const model::State& state);
+
+// That of the component where it is least.
+double steadiness(const std::vector<RigidModes>& modes);
 
 // How many components are left some rigid motion: two of them can move against each other at no
 // cost.
