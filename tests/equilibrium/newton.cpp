@@ -275,8 +275,7 @@ TEST_CASE("an equilibrium that some motion leaves at no cost is not called stabl
 TEST_CASE("a bent rod that nothing holds straightens, free or clamped at one end") {
   const int vertices = 21;
   model::Structure rod{.rods = {models::slender_rod(false, vertices, 1.0)}};
-  if (GENERATE(false, true))
-    rod.pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = 1}};
+  if (GENERATE(false, true)) rod.pins = {{.rod = 0, .vertex = 0}, {.rod = 0, .vertex = 1}};
   Eigen::Matrix3Xd bent = models::straight(vertices, 1.0);
   for (int i = 2; i < vertices; ++i) {
     const double s = bent(0, i) - bent(0, 1);
