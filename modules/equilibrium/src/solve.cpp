@@ -103,7 +103,8 @@ Newton::Point Newton::step_from(const Point& from, const Eigen::VectorXd& step) 
 // stiffness.
 void Newton::factorise_positive(const Point& point) {
   constexpr double far = 0.5;  // residual above which predicted forces are not to be trusted
-  // Any modes near those of this point anchor the matrix as well.
+  // Any modes near those of this point anchor the matrix as well. One that nearly vanishes soon is
+  // another; kept on, it would hold the rod where it is.
   constexpr double near_by = 0.2;
   if (turned_ >= turned_until_) {
     at_.rigid = rigid_modes(system_, point.state);
