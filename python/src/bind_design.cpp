@@ -1,11 +1,11 @@
 // A design as arrays and words.
-#include <tencer/geometry/sampling.hpp>
 #include <tencer/io/curve.hpp>
 #include <tencer/io/design.hpp>
 #include <tencer/io/export.hpp>
 #include <tencer/io/trace.hpp>
 #include <tencer/model/design.hpp>
 
+#include "arrays.hpp"
 #include "cable_rows.hpp"
 #include "errors.hpp"
 #include "parts.hpp"
@@ -40,22 +40,29 @@ std::vector<geometry::Polyline> pose_curves(const Design& design) {
   return curves;
 }
 
-// (cables, 2, 3): the ends in the pose.
-py::array_t<double> cable_points(const Design& design) {
-  const auto along = model::arc_lengths(design.structure);
-  const auto curves = pose_curves(design);
-  const auto count = static_cast<py::ssize_t>(design.structure.cables.size());
-  py::array_t<double> points({count, py::ssize_t{2}, py::ssize_t{3}});
-  Eigen::Map<Eigen::Matrix3Xd> ends(points.mutable_data(), 3, 2 * count);
-  Eigen::Index at = 0;
-  for (const springs::Cable& cable : design.structure.cables)
-    for (const springs::End& end : {cable.a, cable.b}) {
-      if (const auto* on_rod = std::get_if<springs::OnRod>(&end))
-        ends.col(at++) = geometry::point_at(curves[on_rod->rod], along[on_rod->rod], on_rod->s);
-      else
-        ends.col(at++) = design.structure.anchors.col(std::get<springs::AtAnchor>(end).anchor);
-    }
+// Ends of cables, 3 x 2 c, as (cables, 2, 3).
+py::array_t<double> in_pairs(const Eigen::Matrix3Xd& ends) {
+  py::array_t<double> points(
+      {static_cast<py::ssize_t>(ends.cols() / 2), py::ssize_t{2}, py::ssize_t{3}});
+  Eigen::Map<Eigen::Matrix3Xd>(points.mutable_data(), 3, ends.cols()) = ends;
   return points;
+}
+
+py::array_t<double> cable_points(const Design& design) {
+  return in_pairs(model::cable_ends(design.structure, design.pose));
+}
+
+py::list snapshots(const model::StageRow& row) {
+  using namespace py::literals;
+  py::list shown;
+  for (const model::Snapshot& one : row.snapshots) {
+    py::list rods;
+    for (const Eigen::Matrix3Xd& points : one.rods) rods.append(owned(points));
+    shown.append(py::dict("max_percent"_a = one.max_percent, "rods"_a = rods,
+                          "cable_points"_a = in_pairs(one.cable_ends),
+                          "tensions"_a = owned(one.tensions)));
+  }
+  return shown;
 }
 
 py::list trace(const Design& design) {
@@ -65,7 +72,7 @@ py::list trace(const Design& design) {
     rows.append(py::dict("stage"_a = row.stage, "seconds"_a = row.seconds, "cables"_a = row.cables,
                          "max_percent"_a = row.max_percent, "rms_percent"_a = row.rms_percent,
                          "solves"_a = row.solves, "iterations"_a = row.iterations,
-                         "note"_a = row.note));
+                         "note"_a = row.note, "snapshots"_a = snapshots(row)));
   }
   return rows;
 }
@@ -161,8 +168,11 @@ void bind_design(py::module_& module) {
           "stands",
           [](const Design& design) { return design.certificate && design.certificate->stable; },
           "Whether forces balance, no cable is slack, and every motion costs energy.")
-      .def_property_readonly("trace", &trace,
-                             "The record of error against run time: a dict a stage.")
+      .def_property_readonly(
+          "trace", &trace,
+          "The record of error against run time: a dict a stage. Its snapshots are networks "
+          "that it went through: a dict with max_percent, rods (n, 3), "
+          "cable_points (cables, 2, 3) and tensions each.")
       .def("brief_report", &Design::brief_report, "One line.")
       .def("report", &Design::full_report, "What was asked for, what was found, and the stages.")
       .def("to_json", &json_of, "The text of design.json: what `tencer design` writes.")

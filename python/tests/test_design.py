@@ -41,6 +41,10 @@ def test_words(design):
     assert "complete" in design.brief_report()
     assert "cables" in str(design)
     assert design.trace[0].keys() >= {"stage", "seconds", "cables", "max_percent"}
+    first = design.trace[0]["snapshots"][-1]
+    assert first["cable_points"].shape == (len(first["tensions"]), 2, 3)
+    assert len(first["tensions"]) > len(design.cables)
+    assert np.abs(first["rods"][0]).max() < 2 * np.abs(design.poses[0]).max()
 
 
 def test_files(design, tmp_path):

@@ -103,6 +103,14 @@ TEST_CASE("a design is read back to the last bit") {
   CHECK(read->trace[0].note == "a, b");
   CHECK(read->trace[1].rms_percent == design.trace[1].rms_percent);
   CHECK(read->trace[1].iterations == 60);
+  CHECK(read->trace[0].snapshots.empty());
+  REQUIRE(read->trace[1].snapshots.size() == 1);
+  const Snapshot &seen = read->trace[1].snapshots[0], &shown = design.trace[1].snapshots[0];
+  CHECK(seen.max_percent == shown.max_percent);
+  REQUIRE(seen.rods.size() == 1);
+  CHECK(seen.rods[0].isApprox(shown.rods[0], 1e-3));
+  CHECK(seen.cable_ends.isApprox(shown.cable_ends, 1e-3));
+  CHECK(seen.tensions.isApprox(shown.tensions, 1e-3));
 
   // The same value gives the same bytes.
   REQUIRE_FALSE(write_design(folder / "again.json", *read));

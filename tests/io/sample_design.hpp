@@ -63,5 +63,9 @@ inline tencer::model::Design sample() {
                                    .settles_from_target = false};
   design.trace = {{"prune", number(), 87, no_number, no_number, 3, 40, "a, b"},
                   {"greedy", number(), 51, number(), number(), 5, 60, ""}};
+  design.trace[1].snapshots = {{.max_percent = number(),
+                                .rods = {Eigen::Matrix3Xd::Random(3, 4)},
+                                .cable_ends = Eigen::Matrix3Xd::Random(3, 4),
+                                .tensions = Eigen::Vector2d(-number(), number())}};
   return design;
 }

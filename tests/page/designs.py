@@ -46,6 +46,13 @@ def ring(name, cables, max_percent, **more):
             **more}
 
 
+def snapshot(cables, max_percent, height):
+    """On the way to a ring: cables along x, the upper one first to go, on an ellipse as high as that."""
+    outline = ellipse(10, height, 40)
+    return {"max_percent": max_percent, "rods": [[x for point in [*outline, outline[0]] for x in point]],
+            "cables": [[-9, y, 0, 9, y, 0, 2 + y] for y in [2.222, 0, -2.222][-cables:]]}
+
+
 def bow(name):
     """A rod of 20 cm as a flat arc, whose ends a cable holds: nearly where it comes to rest."""
     vertices, angle, length = 21, 1, 20
@@ -96,6 +103,8 @@ def write(folder):
                           shortfalls=["let go at the target it comes to rest elsewhere"],
                           check=check(False, ["forgives: too little"], 0.4)),
     }
+    for stage, seen in zip(designs["two.json"]["trace"], [snapshot(3, 1, 10), snapshot(2, 2, 9)]):
+        stage["snapshots"] = [seen]
     designs["five.json"]["certificate"]["settles_from_target"] = False
     for name, design in designs.items():
         (folder / name).write_text(json.dumps(design))

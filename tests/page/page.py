@@ -217,6 +217,27 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.run("return document.getElementById('mode').value"), "-1")
         self.assertEqual(self.browser.colours(*above), still)
 
+    def test_the_slider_goes_through_the_stages_of_the_search(self):
+        self.open()
+        self.face_on()
+        self.assertEqual(self.browser.texts("#stages-label"), ["the design: 2 cables, off by 4 mm (1.41 %)"])
+        upper, top = (0.5, 0.4), TOP
+        paper, _ = self.browser.colours(upper, top)
+        self.browser.slide("#stages-number", 0)
+        self.assertEqual(self.browser.texts("#stages-label"), ["balance: 3 cables, off by 2.83 mm (1 %)"])
+        cable, rod = self.browser.colours(upper, top)
+        self.assertGreater(distance(cable, paper), 60)
+        self.assertTrue(is_blue(rod))
+        self.browser.slide("#stages-number", 1)
+        self.assertEqual(self.browser.texts("#stages-label"),
+                         ["elimination: 2 cables, off by 5.66 mm (2 %)"])
+        cable, rod = self.browser.colours(upper, top)
+        self.assertLess(distance(cable, paper), 8)
+        self.assertFalse(is_blue(rod))  # it has moved
+        self.browser.press(ESCAPE)
+        self.assertIn("the design", self.browser.texts("#stages-label")[0])
+        self.assertTrue(is_blue(self.browser.colours(top)[0]))
+
     def test_with_pulled_cables_the_slider_goes_through_their_poses(self):
         (folder / "bow.json").write_text(json.dumps(designs.bow("bow")))
         (folder / "pull.toml").write_text('[[step]]\n1 = "by -30 %"\nframes = 4\n')
@@ -224,23 +245,24 @@ class Page(unittest.TestCase):
         run_tencer("actuate", "rest/design.json", "pull.toml", "-o", "moves")
         self.open("moves/view.html")
         self.face_on()
-        last = int(self.browser.run("return document.getElementById('pose').max"))
+        last = int(self.browser.run("return document.getElementById('poses-number').max"))
         self.assertGreaterEqual(last, 4)
+        self.assertFalse(self.browser.shown("#stages"))
         places = [(x / 40, y / 40) for x in range(2, 39) for y in range(2, 39)]
         open_bow = self.browser.colours(*places)
-        labels = self.browser.texts("#pose-label")
-        self.browser.slide("#pose", last)
-        labels += self.browser.texts("#pose-label")
+        labels = self.browser.texts("#poses-label")
+        self.browser.slide("#poses-number", last)
+        labels += self.browser.texts("#poses-label")
         self.assertEqual(labels[1], "step 1, 100 %")
         self.assertNotEqual(labels[0], labels[1])
         self.assertNotEqual(self.browser.colours(*places), open_bow)
-        self.browser.slide("#pose", 0)
+        self.browser.slide("#poses-number", 0)
         self.assertEqual(self.browser.colours(*places), open_bow)
         self.browser.hold()
-        self.browser.click("#play-poses")
+        self.browser.click("#poses-play")
         for second in (0, 1):
             self.browser.tick(second)
-        self.assertEqual(self.browser.run("return document.getElementById('pose').value"), "1")
+        self.assertEqual(self.browser.run("return document.getElementById('poses-number').value"), "1")
         self.browser.let_go()
 
     def test_keys_and_labels(self):

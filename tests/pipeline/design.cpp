@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
+#include <tencer/geometry/measure.hpp>
 #include <tencer/pipeline/simulate.hpp>
 
 #include "scenes.hpp"
@@ -31,6 +33,39 @@ void check_rests_in_its_pose(const model::Design& design,
   CHECK(simulation->usable());
   CHECK(simulation->moved_percent <= 0.01);
   CHECK(simulation->design.status == design.status);
+}
+
+// The largest distance of these points from a line.
+double farthest(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& line) {
+  double most = 0;
+  for (const Eigen::Vector3d p : points.colwise()) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i + 1 < line.cols(); ++i)
+      nearest = std::min(nearest,
+                         geometry::segment_approach(p, p, line.col(i), line.col(i + 1)).distance);
+    most = std::max(most, nearest);
+  }
+  return most;
+}
+
+// Of ever fewer cables, that end on the rod, which is about as far from the target as they say.
+void check_snapshots(const model::Design& design) {
+  std::vector<model::Snapshot> seen;
+  for (const auto& row : design.trace)
+    seen.insert(seen.end(), row.snapshots.begin(), row.snapshots.end());
+  REQUIRE(seen.size() >= 3);
+  CHECK(seen.size() <= 20);
+  CHECK(seen.front().cables() > 2 * seen.back().cables());
+  Eigen::Matrix3Xd target(3, design.target[0].cols() + 1);
+  target << design.target[0], design.target[0].col(0);
+  const double size = model::diagonal({.points = design.target});
+  for (const model::Snapshot& one : seen) {
+    REQUIRE(one.rods.size() == 1);
+    CHECK(one.rods[0].col(0) == one.rods[0].rightCols<1>());
+    REQUIRE(one.cable_ends.cols() == 2 * one.cables());
+    CHECK(farthest(one.cable_ends, one.rods[0]) <= 1e-9 * size);
+    CHECK(farthest(one.rods[0], target) <= (one.max_percent + 1) / 100 * size);
+  }
 }
 
 }  // namespace
@@ -74,6 +109,7 @@ TEST_CASE("a closed rod: the design stands, and rests where its file says") {
     CHECK(recorded.contains(stage));
   }
   CHECK(design.trace.back().stage == "settle");
+  check_snapshots(design);
 
   const model::Design read = through_a_file(design);
   model::Design unchecked = design;

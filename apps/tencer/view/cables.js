@@ -16,6 +16,13 @@ function stretch(mesh, a, b) {
   mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), span.normalize());
 }
 
+// A cable between two points.
+export function cableBetween(a, b, radius, color) {
+  const mesh = cylinder(radius, new THREE.MeshBasicMaterial({ color }));
+  stretch(mesh, a, b);
+  return mesh;
+}
+
 // All cables of a design as plain lines.
 export function cableLines(design, color) {
   const points = design.cables.flatMap((cable) =>
@@ -26,22 +33,27 @@ export function cableLines(design, color) {
 
 export const drawnCables = []; // {shown, picked, a, b}, one a cable
 
+// Thinner than rods, and still seen.
+export function cableRadius(design) {
+  const size = sizeOf(design);
+  const thinnest = Math.min(...design.rods.map((rod) => drawnRadius(design, rod)));
+  return Math.min(Math.max(0.5 * thinnest, size / 1100), size / 500);
+}
+
 function showCables() {
   const design = seenDesign();
   const size = sizeOf(design);
   const scale = tensionScale(design);
-  // Thinner than rods, and still seen.
-  const thinnest = Math.min(...design.rods.map((rod) => drawnRadius(design, rod)));
-  const radius = Math.min(Math.max(0.5 * thinnest, size / 1100), size / 500);
+  const radius = cableRadius(design);
   drawnCables.length = 0;
   design.cables.forEach((cable, i) => {
     const a = vector(endPoint(design, cable.a));
     const b = vector(endPoint(design, cable.b));
-    const shown = cylinder(radius, new THREE.MeshBasicMaterial({ color: scale.at(cable.tension) }));
+    const shown = cableBetween(a, b, radius, scale.at(cable.tension));
     // Wide enough to hit with a pointer.
     const picked = cylinder(size / 90, new THREE.MeshBasicMaterial({ visible: false }));
     picked.userData.cable = i;
-    for (const mesh of [shown, picked]) stretch(mesh, a, b);
+    stretch(picked, a, b);
     drawnCables.push({ shown, picked, a, b });
   });
   showGroup('cables', drawnCables.flatMap(({ shown, picked }) => [shown, picked]));

@@ -1,6 +1,27 @@
 // The designs of the page, each as its file has it with what is drawn of it beside (page_data.hpp).
 const content = JSON.parse(document.getElementById('designs').textContent);
 
+// x, y and z of one after the other.
+const pointsOf = (numbers) => Array.from({ length: Math.floor(numbers.length / 3) },
+  (_, i) => numbers.slice(3 * i, 3 * i + 3));
+
+// Networks that the search went through, without the last where that is the design.
+function stagesOf({ trace, cables, error }) {
+  const all = (trace || []).flatMap(({ stage, snapshots }) => (snapshots || []).map((seen) => ({
+    stage,
+    max_percent: seen.max_percent,
+    rods: seen.rods.map(pointsOf),
+    cables: seen.cables.map((numbers) => {
+      const [a, b] = pointsOf(numbers);
+      return { a, b, tension: numbers[6] };
+    }),
+  })));
+  const last = all[all.length - 1];
+  const isDesign = last && error && last.cables.length === cables.length &&
+    Math.abs(last.max_percent - error.max_percent) <= 1e-3 * error.max_percent;
+  return isDesign ? all.slice(0, -1) : all;
+}
+
 function prepared({ file, drawn }, index) {
   return {
     ...file,
@@ -11,6 +32,7 @@ function prepared({ file, drawn }, index) {
     modes: drawn.modes,
     shoves: drawn.shoves,
     poses: drawn.poses,
+    stages: stagesOf(file),
     check: file.check && file.check.lines ? file.check : undefined,
     anchors: file.anchors || [],
     pinned: file.pinned || [],

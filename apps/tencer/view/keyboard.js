@@ -28,7 +28,7 @@ const stageKeys = {
 export function startKeyboard() {
   document.addEventListener('keydown', (event) => {
     if (event.key !== 'Escape') return;
-    change({ chosen: null, hovered: null, mode: -1 });
+    change({ chosen: null, hovered: null, mode: -1, stage: -1 });
     byId('tip').style.display = 'none';
   });
   world.renderer.domElement.addEventListener('keydown', (event) => {

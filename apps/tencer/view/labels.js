@@ -36,7 +36,8 @@ function placeLabels() {
     box.top < other.bottom && other.top < box.bottom);
   const order = [...labels].sort((a, b) => marked.includes(b.cable) - marked.includes(a.cable));
   for (const label of order) {
-    const { span, places } = label;
+    const { span } = label;
+    const places = page.stage >= 0 && label.cable >= 0 ? [] : label.places; // a stage has others
     const isMarked = label.cable >= 0 && marked.includes(label.cable);
     span.className = `${label.className}${isMarked ? ' chosen' : ''}`;
     let found = null;

@@ -1,7 +1,7 @@
 // What the colours and lengths of the drawing mean.
 import { designs, leastTaut } from './data.js';
 import { fieldScale, rodFields, tensionScale } from './colours.js';
-import { byId, element, onChange, page, seenDesign } from './page.js';
+import { byId, element, onChange, page, seenDesign, seenStage } from './page.js';
 import { vectorFactor } from './target.js';
 import { thicknessInWords } from './rods.js';
 import { forceText, significant } from './units.js';
@@ -20,12 +20,13 @@ function legendBar(title, scale, low, high) {
 function showLegends() {
   const design = seenDesign();
   const shown = [];
-  if (design.cables.length) {
-    const scale = tensionScale(design);
+  const { cables } = seenStage() || design;
+  if (cables.length) {
+    const scale = tensionScale({ cables });
     const bar = legendBar(`cables: tension, ${design.force_unit}` +
       (scale.isLogarithmic ? ', logarithmic' : ''), scale, forceText(scale.low),
       forceText(scale.high));
-    if (design.cables.length > 1)
+    if (cables.length > 1 && page.stage < 0)
       bar.append(element('div', `least taut: ${cableInWords(leastTaut(design))}`));
     shown.push(bar);
   }
@@ -47,6 +48,6 @@ function showLegends() {
 }
 
 export function startLegend() {
-  onChange(['design', 'unit', 'colour', 'vectors', 'over', 'thick'], showLegends);
+  onChange(['design', 'stage', 'unit', 'colour', 'vectors', 'over', 'thick'], showLegends);
   showLegends();
 }

@@ -14,6 +14,7 @@ import { startPlots } from './plots.js';
 import { startPoses } from './poses.js';
 import { startRods } from './rods.js';
 import { chooseThickness, startStage } from './stage.js';
+import { startStages } from './stages.js';
 import { startSupports } from './supports.js';
 import { scrollToCable, startTables } from './tables.js';
 import { startTarget } from './target.js';
@@ -38,6 +39,7 @@ function startView() {
   startLegend();
   startModes();
   startPoses();
+  startStages();
   startPicking(scrollToCable);
   startStage();
   startKeyboard();

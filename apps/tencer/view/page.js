@@ -17,6 +17,7 @@ export const page = {
   directors: false,
   mode: -1, // the vibration that is played, or further on the shove; -1: none
   pose: 0, // of those that the structure goes through
+  stage: -1, // of the search; -1: the design
 };
 
 const listeners = [];
@@ -32,8 +33,9 @@ export function change(values) {
 }
 
 export const seenDesign = () => designs[page.design];
+export const seenStage = () => page.stage < 0 ? null : seenDesign().stages[page.stage];
 export const see = (index) => change({ design: index, over: page.over === index ? -1 : page.over,
-  chosen: null, hovered: null, mode: -1, pose: 0 });
+  chosen: null, hovered: null, mode: -1, pose: 0, stage: -1 });
 
 // What is to be set off: under the pointer, else what was chosen. `kind`: cable, closest or crossing.
 export const markedIndex = (kind) => (page.hovered || page.chosen || {})[kind] ?? -1;

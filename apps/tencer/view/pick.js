@@ -34,6 +34,7 @@ function rodDescription(design, r, point) {
 
 const ray = new THREE.Raycaster();
 function under(event) {
+  if (page.stage >= 0) return null; // what is told is told of the design
   const frame = world.renderer.domElement.getBoundingClientRect();
   ray.setFromCamera({ x: (event.clientX - frame.left) / frame.width * 2 - 1,
     y: 1 - (event.clientY - frame.top) / frame.height * 2 }, world.camera);

@@ -35,6 +35,7 @@ export function makeWorld() {
 
 // Shows things of the world and takes the former ones of this name away.
 const shownGroups = new Map();
+const hiddenGroups = new Set();
 export function showGroup(name, objects) {
   const before = shownGroups.get(name);
   if (before) {
@@ -46,8 +47,18 @@ export function showGroup(name, objects) {
   }
   const group = new THREE.Group();
   if (objects.length) group.add(...objects);
+  group.visible = !hiddenGroups.has(name);
   shownGroups.set(name, group);
   world.model.add(group);
+  draw();
+}
+
+// Whether the things of this name are seen, also those that are shown from now on.
+export function hideGroup(name, isHidden) {
+  if (isHidden) hiddenGroups.add(name);
+  else hiddenGroups.delete(name);
+  const group = shownGroups.get(name);
+  if (group) group.visible = !isHidden;
   draw();
 }
 

@@ -82,15 +82,7 @@ bool meet(const springs::End& one, const springs::End& other, const model::Struc
 std::optional<CablesApart> closest_cables(const model::Structure& structure,
                                           const model::State& state,
                                           const std::vector<double>& radii) {
-  const auto along = model::arc_lengths(structure);
-  const auto point = [&](const springs::End& end) -> Vector3d {
-    if (const auto* anchor = std::get_if<springs::AtAnchor>(&end))
-      return structure.anchors.col(anchor->anchor);
-    const auto& on = std::get<springs::OnRod>(end);
-    const auto [edge, t] = along[on.rod].locate(on.s);
-    const auto& x = state[on.rod].x;
-    return (1 - t) * x.col(edge) + t * x.col((edge + 1) % x.cols());
-  };
+  const Eigen::Matrix3Xd ends = model::cable_ends(structure, model::positions_of(state));
   const auto& cables = structure.cables;
   std::optional<CablesApart> nearest;
   for (int c = 0; c < static_cast<int>(cables.size()); ++c)
@@ -100,8 +92,8 @@ std::optional<CablesApart> closest_cables(const model::Structure& structure,
         for (const springs::End* other : {&cables[d].a, &cables[d].b})
           joined = joined || meet(*one, *other, structure, radii);
       if (joined) continue;
-      keep(nearest, {geometry::segment_approach(point(cables[c].a), point(cables[c].b),
-                                                point(cables[d].a), point(cables[d].b))
+      keep(nearest, {geometry::segment_approach(ends.col(2 * c), ends.col(2 * c + 1),
+                                                ends.col(2 * d), ends.col(2 * d + 1))
                          .distance,
                      c, d});
     }

@@ -77,9 +77,7 @@ void each_draw(const model::Structure& structure, const model::State& state,
   const Eigen::MatrixXd units = unit_draws(static_cast<int>(parameters.size()), draws, seed);
   Eigen::VectorXd limits(units.rows());
   for (Eigen::Index p = 0; p < limits.size(); ++p) limits[p] = limit_of(errors, parameters[p]);
-  std::vector<Eigen::Matrix3Xd> points;
-  for (const auto& rod : state) points.push_back(rod.x);
-  const model::Target pose = model::make_target(structure, std::move(points));
+  const model::Target pose = model::make_target(structure, model::positions_of(state));
   for (int draw = 0; draw < draws && !options.solve.stop.stop_requested(); ++draw) {
     const Eigen::VectorXd wrong = limits.cwiseProduct(units.col(draw));
     if (!visit(settle({structure, state, tensions, pose, parameters, wrong, options}))) return;

@@ -48,11 +48,8 @@ class Weighed {
                                          equilibrium::taut_cables(tensions))),
         hessian_(system_, state, equilibrium::length_gradients(system_, state),
                  equilibrium::lumped_mass(system_)),
-        weight_(equilibrium::lumped_mass(system_, weight_per_length)) {
-    std::vector<Eigen::Matrix3Xd> pose;
-    for (const auto& rod : state) pose.push_back(rod.x);
-    target_ = model::make_target(structure, std::move(pose));
-  }
+        weight_(equilibrium::lumped_mass(system_, weight_per_length)),
+        target_(model::make_target(structure, model::positions_of(state))) {}
 
   const model::Target& target() const { return target_; }
 
@@ -123,7 +120,7 @@ class Weighed {
   System system_;
   equilibrium::ConstrainedHessian hessian_;
   Eigen::VectorXd weight_;
-  model::Target target_{};
+  model::Target target_;
 };
 
 // Of one that its supports hold.

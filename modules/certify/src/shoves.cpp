@@ -13,12 +13,6 @@ namespace {
 using equilibrium::System;
 using Positions = std::vector<Eigen::Matrix3Xd>;
 
-Positions positions_of(const model::State& state) {
-  Positions positions;
-  for (const auto& rod : state) positions.push_back(rod.x);
-  return positions;
-}
-
 // The step of the free unknowns that moves the vertices by a drawn combination of modes.
 Eigen::VectorXd step_of(const System& system, const VibrationModes& modes, const Push& push) {
   const int count = std::min(push.modes, static_cast<int>(modes.shapes.size()));
@@ -54,7 +48,7 @@ model::State pushed_state(const System& system, const model::State& state,
 // The positions moved onto the target.
 Positions aligned(const model::Target& target, const model::State& state) {
   const auto motion = sensitivity::deviation(target, state).motion;
-  Positions positions = positions_of(state);
+  Positions positions = model::positions_of(state);
   for (auto& rod : positions)
     rod = motion.rotation.transpose() * (rod.colwise() - motion.translation);
   return positions;
@@ -66,15 +60,16 @@ PushedRest push_and_release(const model::Structure& structure, const model::Stat
                             const VibrationModes& modes, const Push& push,
                             const std::stop_token& stop) {
   const System system(without_cables(structure));
-  const model::Target target = model::make_target(structure, positions_of(state));
+  const model::Target target = model::make_target(structure, model::positions_of(state));
   const model::State pushed = pushed_state(system, state, modes, push);
   auto found = equilibrium::relax_inextensible(structure, pushed, {.stop = stop});
   PushedRest result{.rests = found.equilibrium.usable(), .state = found.equilibrium.state};
   result.deviation = sensitivity::deviation(target, result.state).max;
   result.energy = system.energy(result.state) - system.energy(state);
   const Positions rest = aligned(target, result.state);
-  result.strands_met = strands_meet(structure, positions_of(state), positions_of(pushed)) ||
-                       strands_meet(structure, positions_of(pushed), rest);
+  result.strands_met =
+      strands_meet(structure, model::positions_of(state), model::positions_of(pushed)) ||
+      strands_meet(structure, model::positions_of(pushed), rest);
   return result;
 }
 
@@ -82,7 +77,7 @@ std::vector<Positions> way_of(const model::Structure& structure, const model::St
                               const VibrationModes& modes, const Push& push) {
   constexpr int most_steps = 40;
   const System system(without_cables(structure));
-  const model::Target target = model::make_target(structure, positions_of(state));
+  const model::Target target = model::make_target(structure, model::positions_of(state));
   const model::State pushed = pushed_state(system, state, modes, push);
   std::vector<Positions> way{aligned(target, pushed)};
   bool rests = false;

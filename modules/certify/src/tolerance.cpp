@@ -74,9 +74,7 @@ PoseResponse pose_response(const model::Structure& structure, const model::State
   if (!hessian.factorise()) return result;
   const auto [force, length] = right_hand_sides(system, state, result.parameters);
   const auto [motion, tension] = hessian.respond(force, length);
-  std::vector<Eigen::Matrix3Xd> pose;
-  for (const auto& rod : state) pose.push_back(rod.x);
-  const auto target = model::make_target(structure, std::move(pose));
+  const auto target = model::make_target(structure, model::positions_of(state));
   result.displacement = sensitivity::Distance(target, system, state).residual_rates(motion);
   result.tension = Eigen::MatrixXd::Zero(tensions.size(), tension.cols());
   for (std::size_t c = 0; c < taut.size(); ++c)

@@ -18,13 +18,9 @@ EliminationResult eliminate(const network::Network& network,
   network::StageResult result{.network = network};
   const Start start{.network = network};
   ParetoArchive archive = multistart.eliminate_from({&start, 1});
-  const auto record = [&] {
-    if (const Solution* best = archive.best_for(options.goal)) result.network = best->network;
-    recorder.add(multistart.take_counts());
-    result.trace.push_back(recorder.row(result.network, problem.target));
-  };
-  record();
-  multistart.iterated_local_search({&archive, 1}, options.local_search.patience, record);
+  const auto record_it = [&] { record(archive, multistart, problem.target, recorder, result); };
+  record_it();
+  multistart.iterated_local_search({&archive, 1}, options.local_search.patience, record_it);
   recorder.finish(result, problem.target);
   return {.stage = std::move(result), .solutions = archive.best()};
 }

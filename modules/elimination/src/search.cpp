@@ -27,15 +27,6 @@ struct Found {
   std::optional<Requirements> requirements{};  // that the networks kept; none: nothing was tried
 };
 
-// The archive's best network, and a row for what was done since the last.
-void record(const ParetoArchive& archive, Multistart& multistart, const Problem& problem,
-            network::StageRecorder& recorder, StageResult& result) {
-  if (const Solution* best = archive.best_for(multistart.options().goal))
-    result.network = best->network;
-  recorder.add(multistart.take_counts());
-  result.trace.push_back(recorder.row(result.network, problem.target));
-}
-
 // All of the search on rods of one resolution; its rows and its best network go to `result`.
 Found search_on(const Problem& problem, const EliminationOptions& options,
                 const network::Control& control, StageResult& result) {
@@ -54,7 +45,7 @@ Found search_on(const Problem& problem, const EliminationOptions& options,
                               multistart.eliminate_from(starts.few)};
   const auto record_both = [&] {
     for (const ParetoArchive& archive : archives) found.archive.add(archive);
-    record(found.archive, multistart, problem, recorder, result);
+    record(found.archive, multistart, problem.target, recorder, result);
   };
   record_both();
   multistart.iterated_local_search(archives, starts.many_rods ? 1 : options.local_search.patience,
@@ -117,7 +108,9 @@ Found revise_on(const Revision& revision, const Problem& problem, const Eliminat
   Multistart multistart(*found.requirements, problem.candidates, options, control, recorder);
   start.network = replaced(revision, problem, std::move(start.network), multistart);
   found.archive = multistart.eliminate_from({&start, 1});
-  const auto record_it = [&] { record(found.archive, multistart, problem, recorder, result); };
+  const auto record_it = [&] {
+    record(found.archive, multistart, problem.target, recorder, result);
+  };
   record_it();
   const Solution* best = found.archive.best_for(options.goal);
   const bool met = best && options.goal.met(best->score());
@@ -207,7 +200,7 @@ ParetoArchive find_coarse(const Revision* revision, const Problem& problem, cons
     prolong_best(found.archive, problem.structure, multistart, archive);
   else
     prolong(found.archive, problem.structure, multistart, archive);
-  const auto record_it = [&] { record(archive, multistart, problem, recorder, result); };
+  const auto record_it = [&] { record(archive, multistart, problem.target, recorder, result); };
   if (const Solution* best = archive.best_for(options.goal)) {
     record_it();
     // What was lost on the way may be found again.
@@ -286,6 +279,10 @@ EliminationResult found_for(const Problem& given, const Revision* revision,
   for (auto& row : result.trace) {
     row.max_percent /= percent;
     row.rms_percent /= percent;
+    for (model::Snapshot& snapshot : row.snapshots) {
+      canonical.restore(snapshot);
+      snapshot.max_percent /= percent;
+    }
   }
   return {.stage = std::move(result), .solutions = std::move(solutions)};
 }

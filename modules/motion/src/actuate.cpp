@@ -144,7 +144,7 @@ class Actuator {
     add_frame(rest.part, rest);
     const Frame& after = result_.frames.back();
     made.released = before.energy - after.energy;
-    made.strands_met = certify::strands_meet(structure_, positions_of(before.state),
+    made.strands_met = certify::strands_meet(structure_, model::positions_of(before.state),
                                              fitted(structure_, after.state, before.state));
     result_.jumps.push_back(made);
     now_ = rest;

@@ -10,8 +10,6 @@ namespace tencer::motion {
 // Per rod, 3 x n.
 using Positions = std::vector<Eigen::Matrix3Xd>;
 
-Positions positions_of(const model::State& state);
-
 // Where the vertices of `state` are when it is moved rigidly to fit `to`; as they are where the
 // structure is held.
 Positions fitted(const model::Structure& structure, const model::State& state,

@@ -150,7 +150,7 @@ class TakingApart {
       if (frame.closest.rods && frame.closest.rods->distance < least_apart_)
         return Obstacle::touches;
     const Frame& last = way.frames.back();
-    if (certify::strands_meet(partial.structure, positions_of(partial.state),
+    if (certify::strands_meet(partial.structure, model::positions_of(partial.state),
                               fitted(partial.structure, last.state, partial.state)))
       return Obstacle::touches;
     partial.state = last.state;

@@ -17,10 +17,8 @@ Settling settle(const Network& network, model::State start, const model::Target&
   Settling result{
       .equilibrium =
           equilibrium::relax_inextensible(structure, std::move(start), options).equilibrium};
-  std::vector<Eigen::Matrix3Xd> pose;
-  for (const auto& rod : network.state) pose.push_back(rod.x);
-  const auto deviation = sensitivity::deviation(model::make_target(structure, std::move(pose)),
-                                                result.equilibrium.state);
+  const auto pose = model::make_target(structure, model::positions_of(network.state));
+  const auto deviation = sensitivity::deviation(pose, result.equilibrium.state);
   result.moved_percent = 100 * deviation.max / model::diagonal(target);
   return result;
 }

@@ -331,6 +331,11 @@ core::Expected<std::vector<Design>> trade_off(const model::Scene& scene,
                         : designs.front().at_least;
     designs.push_back(std::move(next));
   }
+  // All come from one search, which one of them shows.
+  const Design& shown = best_for(goal_of(ready.design), designs);
+  for (Design& design : designs)
+    if (&design != &shown)
+      for (auto& row : design.trace) row.snapshots.clear();
   return designs;
 }
 

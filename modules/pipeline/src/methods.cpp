@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "edit.hpp"
+#include "snapshots.hpp"
 
 namespace tencer::pipeline {
 namespace {
@@ -116,6 +117,8 @@ class Stages {
   }
 
   Outcome outcome() {
+    thin_snapshots(trace_);
+    unscale_snapshots(trace_, task_.prepared.scaling);
     Outcome outcome{.trace = std::move(trace_), .interrupted = result_.interrupted};
     for (Solution& solution : solutions_) outcome.networks.push_back(std::move(solution.network));
     const int asked = cable_count(result_.network);

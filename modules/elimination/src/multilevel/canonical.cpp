@@ -227,4 +227,9 @@ network::Network Canonical::restored(const network::Network& network,
   return result;
 }
 
+void Canonical::restore(model::Snapshot& snapshot) const {
+  snapshot.cable_ends = turn_.transpose() * snapshot.cable_ends;
+  for (auto& points : snapshot.rods) points = turn_.transpose() * points;
+}
+
 }  // namespace tencer::elimination

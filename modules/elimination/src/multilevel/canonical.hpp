@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <tencer/ground_structure/problem.hpp>
+#include <tencer/model/stage_row.hpp>
 #include <vector>
 
 namespace tencer::elimination {
@@ -30,6 +31,7 @@ class Canonical {
   // A network of problem() as one of the problem that was given, whose structure without cables is
   // `bare`.
   network::Network restored(const network::Network& network, const model::Structure& bare) const;
+  void restore(model::Snapshot& snapshot) const;
 
  private:
   ground_structure::Problem problem_;

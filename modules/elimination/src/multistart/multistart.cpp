@@ -37,6 +37,16 @@ bool improved(const ParetoArchive& before, const ParetoArchive& after, const mod
          next.deviation < clearly * base.deviation;
 }
 
+// The first, and those that have lost a fifth of the cables since the one before.
+std::vector<Network> thinned(const std::vector<Network>& path) {
+  constexpr double part = 0.8;
+  std::vector<Network> kept;
+  for (const Network& network : path)
+    if (kept.empty() || cable_count(network) <= part * cable_count(kept.back()))
+      kept.push_back(network);
+  return kept;
+}
+
 }  // namespace
 
 Requirements requirements_for(const Network& start, const model::Target& target,
@@ -187,6 +197,7 @@ ParetoArchive Multistart::eliminate_from(std::span<const Start> starts) {
     for (int k = 0; k < std::min(start.descents, static_cast<int>(options_.portfolio.size())); ++k)
       jobs.push_back({&start, k});
   std::vector<ParetoArchive> archives(jobs.size());
+  std::vector<Way> ways(jobs.size());
   network::in_parallel(static_cast<int>(jobs.size()), options_.threads, [&](int i) {
     const auto& [start, settings] = jobs[i];
     Requirements requirements{requirements_};
@@ -197,10 +208,19 @@ ParetoArchive Multistart::eliminate_from(std::span<const Start> starts) {
                                          options_.removal);
     count(at);
     archives[i] = fit_answers(path);
+    ways[i].networks = thinned(path);
+    if (const Solution* best = archives[i].best_for(options_.goal)) ways[i].found = best->score();
   });
   ParetoArchive all;
   for (const auto& archive : archives) all.add(archive);
+  for (Way& way : ways) keep_better(way);
   return all;
+}
+
+void Multistart::keep_better(Way& way) {
+  if (!way.found) return;
+  if (!best_way_.found || options_.goal.improves(*way.found, *best_way_.found))
+    best_way_ = std::move(way);
 }
 
 // Puts one of the best cables in; what does not stand is braced every other time. false: there is
@@ -270,6 +290,15 @@ void Multistart::iterated_local_search(std::span<ParetoArchive> archives, int pa
       if (improved(before[i], archives[i], goal)) waited = 0;
     record();
   }
+}
+
+void record(const ParetoArchive& archive, Multistart& multistart, const model::Target& target,
+            network::StageRecorder& recorder, network::StageResult& result) {
+  for (const Network& network : multistart.take_way()) recorder.pass(network, target);
+  if (const Solution* best = archive.best_for(multistart.options().goal))
+    result.network = best->network;
+  recorder.add(multistart.take_counts());
+  result.trace.push_back(recorder.row(result.network, target));
 }
 
 }  // namespace tencer::elimination

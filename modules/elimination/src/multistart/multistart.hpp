@@ -4,9 +4,11 @@
 
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <tencer/ground_structure/problem.hpp>
 #include <tencer/network/stage_recorder.hpp>
+#include <utility>
 
 #include "moves/backward_elimination.hpp"
 #include "multistart/pareto_archive.hpp"
@@ -40,6 +42,8 @@ class Multistart {
 
   // Backward eliminations from each start; of each the networks that may answer the goal, fitted.
   ParetoArchive eliminate_from(std::span<const Start> starts);
+  // Of the eliminations since the last call the way of the best: networks with ever fewer cables.
+  std::vector<network::Network> take_way() { return std::exchange(best_way_, {}).networks; }
 
   // Varies the best network of each archive, round by round, until options.local_search.patience
   // rounds (or fewer when given) bring nothing better in any, and calls record() after each. The
@@ -78,6 +82,12 @@ class Multistart {
   void look_for_footing(std::vector<Solution>& found) const;
   ParetoArchive fit_answers(const std::vector<network::Network>& path);
 
+  struct Way {
+    std::vector<network::Network> networks{};
+    std::optional<model::Score> found{};  // at its end; none: nothing
+  };
+  void keep_better(Way& way);
+
   const Requirements& requirements_;
   std::span<const springs::Cable> candidates_;
   const EliminationOptions& options_;
@@ -86,6 +96,11 @@ class Multistart {
   double diagonal_;
   std::mutex mutex_;  // of the counts
   network::SolveCounts counts_;
+  Way best_way_;
 };
+
+// The archive's best network, and a row for what was done since the last.
+void record(const ParetoArchive& archive, Multistart& multistart, const model::Target& target,
+            network::StageRecorder& recorder, network::StageResult& result);
 
 }  // namespace tencer::elimination

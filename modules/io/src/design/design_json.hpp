@@ -31,6 +31,10 @@ nlohmann::ordered_json at_least_to_json(const model::AtLeast& at_least);
 // Points (3 x n), one array of three a point.
 nlohmann::ordered_json points_to_json(const Eigen::Matrix3Xd& points);
 
+// Rounded to what is seen.
+nlohmann::ordered_json snapshots_to_json(const std::vector<model::Snapshot>& snapshots);
+std::vector<model::Snapshot> read_snapshots(const JsonValue& list);
+
 // Of a design.
 nlohmann::ordered_json check_to_json(const model::Check& check, const model::Design& design);
 

@@ -211,6 +211,7 @@ StageRow read_trace_row(const JsonValue& value) {
   if (value.has("equilibrium_solves")) row.solves = value["equilibrium_solves"].integer(0);
   if (value.has("newton_iterations")) row.iterations = value["newton_iterations"].integer(0);
   row.note = optional_text(value, "note");
+  if (value.has("snapshots")) row.snapshots = read_snapshots(value["snapshots"]);
   return row;
 }
 

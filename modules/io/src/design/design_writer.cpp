@@ -135,6 +135,7 @@ Json to_json(const StageRow& row) {
   result["equilibrium_solves"] = row.solves;
   result["newton_iterations"] = row.iterations;
   result["note"] = row.note;
+  if (!row.snapshots.empty()) result["snapshots"] = snapshots_to_json(row.snapshots);
   return result;
 }
 

@@ -48,9 +48,7 @@ class Others {
   Others(const RestPose& pose, double same) : pose_(pose), same_(same) {}
 
   void add(const certify::PushedRest& rest) {
-    std::vector<Eigen::Matrix3Xd> points;
-    for (const auto& rod : rest.state) points.push_back(rod.x);
-    const auto target = model::make_target(pose_.structure, points);
+    const auto target = model::make_target(pose_.structure, model::positions_of(rest.state));
     for (std::size_t i = 0; i < states_.size(); ++i)
       if (sensitivity::deviation(target, states_[i]).max < same_) {
         ++found_[i].times;

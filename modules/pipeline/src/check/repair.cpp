@@ -51,9 +51,7 @@ class Ties {
       : pose_(pose), allowed_(allowed), options_(options) {
     problem_.structure = springs_of(pose);
     problem_.start = pose.state;
-    std::vector<Eigen::Matrix3Xd> points;
-    for (const auto& rod : pose.state) points.push_back(rod.x);
-    problem_.target = model::make_target(problem_.structure, std::move(points));
+    problem_.target = model::make_target(problem_.structure, model::positions_of(pose.state));
     // In the plane cables lie in another layer than rods.
     if (!problem_.structure.planar) problem_.rules.gaps = model::Gaps{};
   }

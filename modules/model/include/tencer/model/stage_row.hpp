@@ -1,9 +1,22 @@
 // One line of the record of error against run time.
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
+#include <vector>
 
 namespace tencer::model {
+
+// A network that the search went through, as it stood, to be looked at: nothing in it has a number,
+// so that it is the same whichever rods it was found on.
+struct Snapshot {
+  double max_percent = 0.0;              // as StageRow has it
+  std::vector<Eigen::Matrix3Xd> rods{};  // 3 x n each; a closed one ends where it starts
+  Eigen::Matrix3Xd cable_ends{};         // 3 x 2 c: the ends of a cable beside each other
+  Eigen::VectorXd tensions{};            // one a cable; below zero where it pushes
+
+  int cables() const { return static_cast<int>(tensions.size()); }
+};
 
 struct StageRow {
   std::string stage{};
@@ -16,6 +29,7 @@ struct StageRow {
   int solves = 0;      // of equilibria
   int iterations = 0;  // of Newton's method in all of them
   std::string note{};  // what is out of the ordinary, in words; empty when nothing is
+  std::vector<Snapshot> snapshots{};  // what it went through, the last at its end; or none
 };
 
 }  // namespace tencer::model

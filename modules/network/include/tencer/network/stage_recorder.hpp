@@ -33,6 +33,9 @@ class StageRecorder {
 
   void add(const SolveCounts& counts);
 
+  // Keeps how a network stands that is gone through, for the next row.
+  void pass(const Network& network, const model::Target& target);
+
   // A row for what was done since the last row, or since the start; also reported as progress.
   model::StageRow row(const Network& network, const model::Target& target, std::string note = {});
 
@@ -51,6 +54,7 @@ class StageRecorder {
   Time begin_ = std::chrono::steady_clock::now();
   Time last_row_ = begin_;
   SolveCounts counts_;
+  std::vector<model::Snapshot> snapshots_{};
 };
 
 }  // namespace tencer::network

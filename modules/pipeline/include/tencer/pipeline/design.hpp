@@ -45,7 +45,8 @@ core::Expected<model::Design> design(const model::Scene& scene, const RunOptions
 std::optional<core::Error> scene_problem(const model::Scene& scene, const RunOptions& options = {});
 
 // All numbers of cables on the way down in one run: certified designs, the fewest cables first,
-// each closer to the target than those with fewer. Never empty.
+// each closer to the target than those with fewer; snapshots of the search are in the one that is
+// asked for. Never empty.
 core::Expected<std::vector<model::Design>> trade_off(const model::Scene& scene,
                                                      const RunOptions& options = {});
 
