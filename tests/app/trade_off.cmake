@@ -101,7 +101,7 @@ if(max_percent GREATER 1)
 endif()
 
 # Fewer cables than can hold it: said of the number, not of the max error.
-run_tencer(design knot.obj -o one --cables 1)
+run_tencer(design knot.obj -o one --cables 1 --effort 1)
 expect_status(3)
 expect_contains("${out}" "cables: none was found with 1 or fewer")
 string(FIND "${out}" "max error is above" at)

@@ -15,10 +15,16 @@ using network::Network;
 
 namespace {
 
-// Without symmetric starts, which take as long as the rest.
-EliminationOptions within(double percent) {
-  return {.goal = {.max_error_percent = percent}, .start = {.max_seed_order = 0}};
+// Without symmetric starts, which take as long as the rest, with few eliminations and one round of
+// variations.
+EliminationOptions quick(const model::Goal& goal) {
+  EliminationOptions options{
+      .goal = goal, .local_search = {.max_rounds = 1}, .start = {.max_seed_order = 0}};
+  for (auto& balance : options.start.balances) balance.descents = 1;
+  return options;
 }
+
+EliminationOptions within(double percent) { return quick({.max_error_percent = percent}); }
 
 double error(const Problem& problem, const EliminationResult& result) {
   return sensitivity::deviation(problem.target, result.stage.network.state).max_percent;
@@ -44,9 +50,8 @@ TEST_CASE("A search ends on the rods as they are, within the tolerance") {
 
 TEST_CASE("Every number of cables on the way is carried over") {
   const Problem problem = problem_of(trefoil(120));
-  const EliminationResult result = search(
-      problem,
-      {.goal = {.max_error_percent = 1.0, .every_number = true}, .start = {.max_seed_order = 0}});
+  const EliminationResult result =
+      search(problem, quick({.max_error_percent = 1.0, .every_number = true}));
   CHECK(result.stage.valid());
   REQUIRE(result.solutions.size() > 4);
   for (std::size_t i = 1; i < result.solutions.size(); ++i)
@@ -66,9 +71,10 @@ TEST_CASE("A search keeps the symmetry it is given, on few vertices and on all")
 
 TEST_CASE("Symmetry seeds are tried besides, and bind nobody") {
   const Problem problem = problem_of(trefoil(60));
-  const EliminationResult with = search(problem, {.goal = {.cables = 9}});
-  const EliminationResult without =
-      search(problem, {.goal = {.cables = 9}, .start = {.max_seed_order = 0}});
+  EliminationOptions options = quick({.cables = 9});
+  const EliminationResult without = search(problem, options);
+  options.start.max_seed_order = elimination::StartOptions{}.max_seed_order;
+  const EliminationResult with = search(problem, options);
   CHECK(with.stage.valid());
   CHECK(cable_count(with.stage.network) <= 9);
   // The first eliminations are the same; what comes after may lead elsewhere, but not far.
@@ -77,7 +83,7 @@ TEST_CASE("Symmetry seeds are tried besides, and bind nobody") {
 
 TEST_CASE("What is said to settle from the target does, with inextensible cables") {
   const Problem problem = problem_of(trefoil(60));
-  const EliminationResult result = search(problem, {.goal = {.max_error_percent = 1.0}});
+  const EliminationResult result = search(problem, within(1.0));
   int settling = 0;
   for (const elimination::Solution& solution : result.solutions) {
     if (solution.standing.footing == model::Footing::none) continue;
@@ -123,7 +129,6 @@ TEST_CASE("Nothing stands that errors move further than is allowed, though all n
   const Problem problem = problem_of(trefoil(60));
   EliminationOptions options = within(1.0);
   options.local_search.max_rounds = 0;
-  for (auto& balance : options.start.balances) balance.descents = 1;
   options.workmanship.length_error = 1e-4 * model::diagonal(problem.target);
   options.workmanship.max_deviation = 0.1 * options.workmanship.length_error;
   const EliminationResult result = search(problem, options);
@@ -151,8 +156,7 @@ TEST_CASE("Many rods are searched block by block, and end tied, stable and withi
     links.push_back(std::move(link));
   }
   const Problem problem = problem_of(make_model(links));
-  for (const EliminationOptions& options :
-       {within(1.0), EliminationOptions{.goal = {.cables = 24}, .start = {.max_seed_order = 0}}}) {
+  for (const EliminationOptions& options : {within(1.0), quick({.cables = 24})}) {
     const EliminationResult result = search(problem, options);
     CHECK(result.stage.valid());
     const Network& found = result.stage.network;
