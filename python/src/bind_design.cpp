@@ -52,6 +52,17 @@ py::array_t<double> cable_points(const Design& design) {
   return in_pairs(model::cable_ends(design.structure, design.pose));
 }
 
+// As design.json has it.
+std::optional<py::dict> at_least(const Design& design) {
+  using namespace py::literals;
+  if (!design.at_least) return std::nullopt;
+  py::list stretches;
+  for (const model::Arc& arc : design.at_least->stretches)
+    stretches.append(py::dict("rod"_a = arc.rod, "from"_a = arc.from, "to"_a = arc.to));
+  return py::dict("cables"_a = design.at_least->cables, "cable_ends"_a = design.at_least->ends,
+                  "error_percent"_a = design.at_least->error_percent, "stretches"_a = stretches);
+}
+
 py::list snapshots(const model::StageRow& row) {
   using namespace py::literals;
   py::list shown;
@@ -168,6 +179,9 @@ void bind_design(py::module_& module) {
           "stands",
           [](const Design& design) { return design.certificate && design.certificate->stable; },
           "Whether forces balance, no cable is slack, and every motion costs energy.")
+      .def_property_readonly("at_least", &at_least,
+                             "How many cables and ends of cables on rods are needed at least, "
+                             "proven, as design.json has it (docs/how-few.md). None: nobody asked.")
       .def_property_readonly(
           "trace", &trace,
           "The record of error against run time: a dict a stage. Its snapshots are networks "

@@ -47,6 +47,12 @@ def test_words(design):
     assert np.abs(first["rods"][0]).max() < 2 * np.abs(design.poses[0]).max()
 
 
+def test_how_few_cables_could_do(design):
+    needed = design.at_least
+    assert needed == json.loads(design.to_json())["at_least"]
+    assert 1 <= needed["cables"] <= len(design.cables)
+
+
 def test_files(design, tmp_path):
     design.export(tmp_path / "knot.json")
     again = tencer.read_design(tmp_path / "knot.json")
