@@ -1,11 +1,11 @@
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <tencer/certify/free_motions.hpp>
 #include <tencer/core/names.hpp>
 #include <tencer/equilibrium/rigid_modes.hpp>
+#include <tencer/linalg/dense.hpp>
 
 namespace tencer::certify {
 namespace {
@@ -60,19 +60,17 @@ Eigen::MatrixXd twists(const System& system, const model::State& state,
     motions.row(row) = rows[i];
     if (unknowns[i] >= 0) moved.row(row) = basis.row(unknowns[i]);
   }
-  Eigen::BDCSVD<Eigen::MatrixXd> svd(motions, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(negligible);
-  return svd.solve(moved);
+  return linalg::least_squares(motions, moved, negligible);
 }
 
 // Turns first, then shifts: columns (velocity, spin) of a basis made so that as many as can be have
 // no spin.
 std::vector<RigidMotion> named_motions(const Eigen::MatrixXd& twists, const Eigen::Vector3d& centre,
                                        double reach) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> spins(twists.bottomRows(3),
-                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::MatrixXd spins = twists.bottomRows(3);
+  const Eigen::MatrixXd by_spin = linalg::symmetric_eigenpairs(spins.transpose() * spins).vectors;
   const double largest = twists.cwiseAbs().maxCoeff();
-  const Eigen::MatrixXd sorted = twists * spins.matrixV();
+  const Eigen::MatrixXd sorted = twists * by_spin.rowwise().reverse();
   std::vector<RigidMotion> motions;
   for (const auto& twist : sorted.colwise()) {
     const Eigen::Vector3d velocity = twist.head(3);

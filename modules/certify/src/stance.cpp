@@ -56,7 +56,11 @@ std::optional<Face> face_below(const Eigen::Matrix3Xd& points) {
 
 // Turned so that `down` is along -z.
 Eigen::Matrix3Xd levelled(const Eigen::Matrix3Xd& points, const Vector3d& down) {
-  return Eigen::Quaterniond::FromTwoVectors(down, -Vector3d::UnitZ()).toRotationMatrix() * points;
+  Eigen::Matrix3d turn;
+  turn.row(0) = down.unitOrthogonal();
+  turn.row(2) = -down.normalized();
+  turn.row(1) = Vector3d(turn.row(2)).cross(Vector3d(turn.row(0)));
+  return turn * points;
 }
 
 // The direction across the face's corners on the side of `down`; not set: they are on a line.

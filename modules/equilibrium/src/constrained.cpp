@@ -1,9 +1,8 @@
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <tencer/core/error.hpp>
 #include <tencer/equilibrium/constrained.hpp>
+#include <tencer/linalg/dense.hpp>
 #include <tencer/linalg/lowest_eigenpairs.hpp>
 
 namespace tencer::equilibrium {
@@ -22,9 +21,7 @@ Eigen::MatrixXd weighted_basis(const std::vector<RigidModes>& modes,
     count += mode.basis.cols();
   }
   const Eigen::MatrixXd weighted = root_mass.asDiagonal() * rigid;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(weighted);
-  qr.setThreshold(1e-9);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(root_mass.size(), qr.rank());
+  return linalg::span_of(weighted, 1e-9 * weighted.colwise().norm().maxCoeff()).basis;
 }
 
 void remove_rigid_parts(const std::vector<RigidModes>& modes, Eigen::MatrixXd& motions) {
@@ -114,15 +111,15 @@ bool ConstrainedHessian::factorise(double shift) {
   // In([A G; G^T 0]) = In(A) + In(-S), S = G^T A^-1 G, and as many negative ones as G has rank
   // belong to the constraints. Dependent cables make S singular: its null space does not count.
   compliance_columns_ = at_.factor.solve(constraints_);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> compliance(constraints_.transpose() *
-                                                                  compliance_columns_);
-  const Eigen::VectorXd& values = compliance.eigenvalues();
+  const linalg::Eigenpairs compliance =
+      linalg::symmetric_eigenpairs(constraints_.transpose() * compliance_columns_);
+  if (!compliance.converged) return false;
+  const Eigen::VectorXd& values = compliance.values;
   const double zero = 1e-12 * values.cwiseAbs().maxCoeff();
   const Eigen::VectorXd inverses = (values.array().abs() > zero).select(values.cwiseInverse(), 0.0);
   rank_ = static_cast<int>((values.array().abs() > zero).count());
   negative_ -= static_cast<int>((values.array() < -zero).count());
-  stiffness_ =
-      compliance.eigenvectors() * inverses.asDiagonal() * compliance.eigenvectors().transpose();
+  stiffness_ = compliance.vectors * inverses.asDiagonal() * compliance.vectors.transpose();
   return true;
 }
 

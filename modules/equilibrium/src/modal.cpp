@@ -1,7 +1,7 @@
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <tencer/equilibrium/modal.hpp>
+#include <tencer/linalg/dense.hpp>
 #include <utility>
 
 namespace tencer::equilibrium {
@@ -71,12 +71,12 @@ SoftModes soft_modes(const System& system, const Linearisation& at, const SoftMo
     // H motion = force, so this is the Rayleigh-Ritz problem of H and M on the motions.
     const Eigen::MatrixXd stiffness = motion.transpose() * force;
     const Eigen::MatrixXd inertia = motion.transpose() * mass.asDiagonal() * motion;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz(
+    const linalg::Eigenpairs ritz = linalg::symmetric_eigenpairs(
         (stiffness + stiffness.transpose()) / 2, (inertia + inertia.transpose()) / 2);
-    if (ritz.info() != Eigen::Success || !ritz.eigenvalues().allFinite())
+    if (!ritz.converged || !ritz.values.allFinite())
       return {.modes = {}, .values = Eigen::VectorXd::Constant(mode_count, -1)};
-    result.modes = motion * ritz.eigenvectors();
-    result.values = ritz.eigenvalues() / unit;
+    result.modes = motion * ritz.vectors;
+    result.values = ritz.values / unit;
   }
   return result;
 }

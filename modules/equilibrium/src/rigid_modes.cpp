@@ -1,9 +1,8 @@
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <tencer/der/energy.hpp>
 #include <tencer/equilibrium/rigid_modes.hpp>
+#include <tencer/linalg/dense.hpp>
 
 #include "forces.hpp"
 
@@ -60,11 +59,7 @@ using Motions = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
 Motions null_space(const Eigen::MatrixXd& rows) {
   constexpr double tolerance = 1e-9;
   if (rows.rows() == 0) return Motions::Identity(6, 6);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
-  const auto& values = svd.singularValues();
-  int rank = 0;
-  while (rank < values.size() && values[rank] > tolerance * values[0]) ++rank;
-  return svd.matrixV().rightCols(6 - rank);
+  return linalg::null_space(rows, tolerance);
 }
 
 // The rigid motions that the supports and loads of a component allow, 6 x k.
@@ -135,21 +130,11 @@ Eigen::MatrixXd displacements(const System& system, const model::State& state, i
   return result;
 }
 
-struct Orthonormal {
-  Eigen::MatrixXd basis;
-  double least = 1.0;  // of the columns' directions the smallest, of the scale
-};
-
-// An orthonormal basis of the columns, dropping directions smaller than `scale` by a relative
-// tolerance (a straight rod does not move when it turns about itself).
-Orthonormal orthonormal(const Eigen::MatrixXd& columns, double scale) {
+// Of directions of `scale`; smaller ones by so much are none (a straight rod does not move when it
+// turns about itself).
+linalg::Span orthonormal(const Eigen::MatrixXd& columns, double scale) {
   constexpr double tolerance = 1e-7;
-  if (columns.cols() == 0 || columns.rows() == 0) return {Eigen::MatrixXd(columns.rows(), 0)};
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-  const Eigen::VectorXd sizes = qr.matrixQR().diagonal().cwiseAbs() / scale;
-  int rank = 0;
-  while (rank < sizes.size() && sizes[rank] > tolerance) ++rank;
-  return {qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), rank), sizes.minCoeff()};
+  return linalg::span_of(columns, tolerance * scale);
 }
 
 }  // namespace
@@ -163,9 +148,10 @@ std::vector<RigidModes> rigid_modes(const System& system, const model::State& st
                                                 allowed_motions(system, state, component, frame));
     RigidModes& mode = modes.emplace_back();
     // A unit motion moves a vertex by about 1.
-    Orthonormal all = orthonormal(moved, std::sqrt(moved.rows()));
+    const double scale = std::sqrt(moved.rows());
+    linalg::Span all = orthonormal(moved, scale);
     mode.basis = std::move(all.basis);
-    mode.steadiness = all.least;
+    mode.steadiness = all.least / scale;
     const auto& unknowns = system.stabilising_unknowns()[component];
     const double share = static_cast<double>(unknowns.size()) / system.size();
     mode.stabilising = orthonormal(mode.basis(unknowns, Eigen::all), std::sqrt(share)).basis;

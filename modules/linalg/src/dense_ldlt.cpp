@@ -1,6 +1,7 @@
 #include "dense_ldlt.hpp"
 
 #include <limits>
+#include <tencer/linalg/dense.hpp>
 
 #include "significant_pivot.hpp"
 
@@ -44,16 +45,16 @@ bool DenseLdlt::factorise(const SymmetricMatrix& matrix, double shift) {
     case Quality::inaccurate:
       break;
   }
-  const auto& spectral = factor_.emplace<Spectral>(full);
-  const Eigen::VectorXd magnitudes = spectral.eigenvalues().cwiseAbs();
-  return spectral.info() == Eigen::Success &&
-         magnitudes.minCoeff() > static_cast<double>(full.rows()) *
+  const auto& spectral = factor_.emplace<Eigenpairs>(symmetric_eigenpairs(full));
+  if (!spectral.converged) return false;
+  const Eigen::VectorXd magnitudes = spectral.values.cwiseAbs();
+  return magnitudes.minCoeff() > static_cast<double>(full.rows()) *
                                      std::numeric_limits<double>::epsilon() * magnitudes.maxCoeff();
 }
 
 Eigen::VectorXd DenseLdlt::signed_values() const {
   if (const auto* pivoted = std::get_if<Pivoted>(&factor_)) return pivoted->vectorD();
-  return std::get<Spectral>(factor_).eigenvalues();
+  return std::get<Eigenpairs>(factor_).values;
 }
 
 Inertia DenseLdlt::inertia() const {
@@ -66,17 +67,15 @@ Inertia DenseLdlt::inertia() const {
 
 Eigen::MatrixXd DenseLdlt::solve(const Eigen::Ref<const Eigen::MatrixXd>& right_hand_sides) const {
   if (const auto* pivoted = std::get_if<Pivoted>(&factor_)) return pivoted->solve(right_hand_sides);
-  const auto& spectral = std::get<Spectral>(factor_);
-  const Eigen::MatrixXd& v = spectral.eigenvectors();
-  return v *
-         (spectral.eigenvalues().cwiseInverse().asDiagonal() * (v.transpose() * right_hand_sides));
+  const auto& [values, v, converged] = std::get<Eigenpairs>(factor_);
+  return v * (values.cwiseInverse().asDiagonal() * (v.transpose() * right_hand_sides));
 }
 
 Eigen::VectorXd DenseLdlt::negative_curvature() const {
   Eigen::Index lowest = 0;
   if (signed_values().minCoeff(&lowest) >= 0.0) return {};
-  if (const auto* spectral = std::get_if<Spectral>(&factor_))
-    return spectral->eigenvectors().col(lowest);
+  if (const auto* spectral = std::get_if<Eigenpairs>(&factor_))
+    return spectral->vectors.col(lowest);
   // With P A P^T = L D L^T and L^T P d = e_j, d^T A d = D_jj.
   const auto& pivoted = std::get<Pivoted>(factor_);
   Eigen::VectorXd direction = Eigen::VectorXd::Unit(pivoted.rows(), lowest);

@@ -6,7 +6,7 @@
 #pragma once
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <tencer/linalg/eigenpairs.hpp>
 #include <tencer/linalg/symmetric_factor.hpp>
 #include <variant>
 
@@ -28,11 +28,10 @@ class DenseLdlt {
 
  private:
   using Pivoted = Eigen::LDLT<Eigen::MatrixXd>;
-  using Spectral = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
 
   Eigen::VectorXd signed_values() const;  // D or the eigenvalues
 
-  std::variant<Pivoted, Spectral> factor_;
+  std::variant<Pivoted, Eigenpairs> factor_;
 };
 
 }  // namespace tencer::linalg

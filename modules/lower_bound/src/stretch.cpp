@@ -1,7 +1,10 @@
 #include "stretch.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <limits>
 #include <optional>
+#include <tencer/linalg/dense.hpp>
 
 #include "remainder.hpp"
 
@@ -38,13 +41,14 @@ Eigen::MatrixXd small_tests(const WeakForm& form, const Parameters& centre, cons
   const auto lengths = [&](const Eigen::MatrixXd& functions) -> Eigen::VectorXd {
     return functions.rowwise().squaredNorm().reshaped(3, n).colwise().sum().cwiseSqrt();
   };
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
   Eigen::MatrixXd z;
   for (int round = 0; round <= rounds; ++round) {
     Eigen::MatrixXd squares = weighted_squares(form, g, g_weight, psi_weight);
     squares.diagonal().array() += 1e-10 * squares.trace();
     const Eigen::MatrixXd reach = squares.ldlt().solve(demands.transpose());
     const Eigen::MatrixXd seen = demands * reach;
-    z = reach * seen.completeOrthogonalDecomposition().solve(wanted);
+    z = reach * linalg::least_squares(seen, wanted, rounding * static_cast<double>(seen.rows()));
     const Eigen::VectorXd g_size = lengths(g * z);
     const Eigen::VectorXd psi_size = lengths(form.psi * z);
     g_weight = form.error / (g_size.array() + 1e-2 * g_size.mean());

@@ -1,16 +1,10 @@
 // The eigenvalues nearest to zero from below in the spectrum of an inverse: shift-invert Lanczos.
 #pragma once
 
-#include <Eigen/Core>
 #include <functional>
+#include <tencer/linalg/eigenpairs.hpp>
 
 namespace tencer::linalg {
-
-struct [[nodiscard]] Eigenpairs {
-  Eigen::VectorXd values;   // ascending, k
-  Eigen::MatrixXd vectors;  // n x k, orthonormal columns
-  bool converged = false;
-};
 
 // The operator out = A^-1 in (symmetric, on vectors of length n); modes that must not count are
 // projected out by the operator itself.
