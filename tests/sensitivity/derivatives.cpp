@@ -121,6 +121,7 @@ TEST_CASE("moving the target rigidly changes nothing where it is aligned") {
         .translation = e.target.planar ? Eigen::Vector3d(3, -1, 0) : Eigen::Vector3d(3, -1, 2)};
     model::Target moved = e.target;
     for (auto& points : moved.points) points = motion.apply(points);
+    moved.views = turned(moved.views, motion.rotation);
     const Derivatives there(moved, tracker.committed());
     CHECK(deviation(moved, tracker.committed().state).value ==
           Approx(deviation(e.target, tracker.committed().state).value).epsilon(1e-11));

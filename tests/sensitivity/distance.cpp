@@ -102,4 +102,51 @@ TEST_CASE("the residual does not see rigid motions") {
   }
 }
 
+TEST_CASE("what lies along the view does not count") {
+  Example e = two_rods();
+  e.target.points = e.start;
+  const Eigen::Vector3d along = Eigen::Vector3d(0.4, -0.2, 1).normalized();
+  e.target.views = {{.direction = 3 * along}};
+  model::State state = state_of(e);
+  for (auto& rod : state)
+    for (Eigen::Index i = 0; i < rod.x.cols(); ++i)
+      rod.x.col(i) += 0.3 * std::sin(static_cast<double>(i)) * along;
+  CHECK(deviation(e.target, state).max < 1e-12);
+  // Of what lies across it the same is seen, aligned or held.
+  const Eigen::Vector3d off = 0.02 * along.unitOrthogonal();
+  state[0].x.col(3) += off;
+  e.target.align = false;
+  CHECK(deviation(e.target, state).max == Approx(0.02));
+  CHECK(deviation(e.target, state).value == Approx(0.0004));
+  e.target.align = true;
+  CHECK(deviation(e.target, state).value < 0.0004);
+  // Half of what two views see is across each of them.
+  e.target.align = false;
+  e.target.points = e.start;
+  e.target.views = {{.direction = {1, 0, 0}}, {.direction = {0, 1, 0}}};
+  state = state_of(e);
+  state[0].x(0, 3) += 0.02;
+  CHECK(deviation(e.target, state).max == Approx(0.02 * std::sqrt(0.5)));
+}
+
+TEST_CASE("turning the structure changes nothing that is seen of it") {
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(2.2, Eigen::Vector3d(1, 0.3, -0.4).normalized()).toRotationMatrix();
+  for (const Example& e : examples()) {
+    if (e.target.views.empty() || !e.target.align) continue;
+    INFO(e.name);
+    const model::State state = state_of(e);
+    model::State moved = state;
+    for (auto& rod : moved) rod.x = turn * rod.x;
+    const Deviation before = deviation(e.target, state);
+    CHECK(deviation(e.target, moved).value == Approx(before.value).epsilon(1e-11));
+    CHECK(deviation(e.target, moved).max == Approx(before.max).epsilon(1e-9));
+    model::Target target = e.target;
+    for (auto& points : target.points) points = turn * points;
+    target.views = turned(target.views, turn);
+    CHECK(deviation(target, state).value == Approx(before.value).epsilon(1e-11));
+    CHECK(deviation(target, state).max == Approx(before.max).epsilon(1e-9));
+  }
+}
+
 }  // namespace tencer::sensitivity

@@ -148,9 +148,28 @@ inline Example strip() {
   return e;
 }
 
+inline Example seen(Example e, std::vector<model::View> views) {
+  e.name += ", " + model::seen_in_words(views);
+  e.target.views = std::move(views);
+  return e;
+}
+
 inline std::vector<Example> examples() {
-  return {closed_rod(1e3), open_rod(),          anchored_rod(), two_rods(),
-          planar_rod(),    uniformly_twisted(), strip()};
+  const std::vector<model::View> oblique{{.direction = {0.4, -0.2, 1}}};
+  const std::vector<model::View> two{{.direction = {1, 0.1, 0}, .weight = 3},
+                                     {.direction = {0, 0.5, 2}}};
+  return {closed_rod(1e3),
+          open_rod(),
+          anchored_rod(),
+          two_rods(),
+          planar_rod(),
+          uniformly_twisted(),
+          strip(),
+          seen(two_rods(), oblique),
+          seen(closed_rod(1e3), two),
+          seen(open_rod(), oblique),
+          seen(anchored_rod(), oblique),
+          seen(strip(), two)};
 }
 
 inline Tracker track(const Example& e, const TrackerOptions& options = {.tolerance = 1e-13}) {

@@ -1,13 +1,22 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <tencer/core/error.hpp>
+#include <tencer/registration/seen.hpp>
 #include <tencer/sensitivity/distance.hpp>
 #include <utility>
+
+#include "alignment.hpp"
 
 namespace tencer::sensitivity {
 namespace {
 
 using model::State;
+
+// The motions in which the alignment follows the state.
+Motions allowed_motions(const model::Target& target) {
+  if (!target.align) return Motions::none;
+  return target.planar ? Motions::in_plane : Motions::in_space;
+}
 
 // Rods side by side, as one set of points.
 struct Stacked {
@@ -32,13 +41,33 @@ Stacked stack(const model::Target& target, const State& state) {
   return all;
 }
 
+// Takes a distance, in the frame of the state, to what is seen of it. Symmetric; exactly 1 without
+// views.
+Eigen::Matrix3d seeing(const model::Target& target, const registration::RigidMotion& motion) {
+  if (target.views.empty()) return Eigen::Matrix3d::Identity();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
+      model::seen_metric(model::turned(target.views, motion.rotation)));
+  constexpr double rounding = 1e-14;  // its root would be seen
+  const Eigen::Vector3d squares = eigen.eigenvalues();
+  return eigen.eigenvectors() *
+         (squares.array() > rounding).select(squares, 0).cwiseSqrt().matrix().asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
+registration::RigidMotion alignment(const model::Target& target, const Stacked& all) {
+  if (!target.align) return {};
+  if (!target.views.empty())
+    return registration::align_seen(all.target, all.x, all.weights,
+                                    model::seen_metric(target.views));
+  return (target.planar ? registration::align_in_plane : registration::align)(all.target, all.x,
+                                                                              all.weights);
+}
+
 Deviation measure(const model::Target& target, const Stacked& all) {
-  Deviation result;
-  if (target.align)
-    result.motion = (target.planar ? registration::align_in_plane : registration::align)(
-        all.target, all.x, all.weights);
+  Deviation result{.motion = alignment(target, all)};
+  const Eigen::Matrix3Xd away = all.x - result.motion.apply(all.target);
   const Eigen::VectorXd squares =
-      (all.x - result.motion.apply(all.target)).colwise().squaredNorm().transpose();
+      (seeing(target, result.motion) * away).colwise().squaredNorm().transpose();
   result.value = all.weights.dot(squares);
   result.rms = std::sqrt(result.value / all.weights.sum());
   result.max = std::sqrt((all.weights.array() > 0).select(squares, 0).maxCoeff());
@@ -49,23 +78,11 @@ Deviation measure(const model::Target& target, const Stacked& all) {
   return result;
 }
 
-// Inverse on the range; directions that do not count (turning a straight rod about itself) get 0.
-Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric) {
-  constexpr double tolerance = 1e-9;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric);
-  Eigen::VectorXd inverse = eigen.eigenvalues();
-  const double largest = inverse.cwiseAbs().maxCoeff();
-  for (double& value : inverse) value = std::abs(value) > tolerance * largest ? 1 / value : 0;
-  return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
-}
-
-// sum w ((a . b) I - (a b^T + b a^T) / 2), half of T's second derivative when the aligned target,
-// b from its centre, turns against the shape, a from the same centre. For a = b it is the inertia
-// tensor.
-Eigen::Matrix3d turning_stiffness(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b,
-                                  const Eigen::VectorXd& w) {
-  const Eigen::Matrix3d product = a * w.asDiagonal() * b.transpose();
-  return product.trace() * Eigen::Matrix3d::Identity() - (product + product.transpose()) / 2;
+// `by` times the three rows of each vertex.
+Eigen::MatrixXd mapped(Eigen::MatrixXd v, const Eigen::Matrix3d& by) {
+  for (Eigen::Index row = 0; row < v.rows(); row += 3)
+    v.middleRows<3>(row) = (by * v.middleRows<3>(row)).eval();
+  return v;
 }
 
 }  // namespace
@@ -81,42 +98,24 @@ Distance::Distance(const model::Target& target, const equilibrium::System& syste
   deviation_ = measure(target, all);
   const Eigen::Matrix3Xd y = deviation_.motion.apply(all.target);
   const Eigen::Matrix3Xd away = all.x - y;
+  const Eigen::Matrix3d root = seeing(target, deviation_.motion);
+  const Eigen::Matrix3d metric = root * root;
   roots_ = all.weights.cwiseSqrt().transpose().replicate<3, 1>().reshaped();
-  residual_ = roots_.cwiseProduct(away.reshaped());
-
-  // Motions of y: shifts, then turns about its centre.
-  const Eigen::Vector3d centre = y * all.weights / all.weights.sum();
-  const Eigen::Matrix3Xd b = y.colwise() - centre;
-  Eigen::MatrixXd motions(3 * y.cols(), 6);
-  for (Eigen::Index i = 0; i < y.cols(); ++i) {
-    const Eigen::Vector3d arm = b.col(i);
-    motions.block<3, 3>(3 * i, 0).setIdentity();
-    motions.block<3, 3>(3 * i, 3) << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(),
-        0;
-  }
-  std::vector<int> shifts, turns;
-  if (target.align) {
-    shifts = target.planar ? std::vector<int>{0, 1} : std::vector<int>{0, 1, 2};
-    turns = target.planar ? std::vector<int>{5} : std::vector<int>{3, 4, 5};
-  }
-  std::vector<int> allowed = shifts;
-  allowed.insert(allowed.end(), turns.begin(), turns.end());
-  motions_ = motions(Eigen::all, allowed);
-  const auto compliance = [&](const Eigen::Matrix3Xd& a) -> Eigen::MatrixXd {
-    Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(6, 6);
-    for (int i : shifts) inverse(i, i) = 1 / all.weights.sum();
-    Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(6, 6);
-    stiffness.bottomRightCorner<3, 3>() = turning_stiffness(a, b, all.weights);
-    if (!turns.empty()) inverse(turns, turns) = pseudo_inverse(stiffness(turns, turns));
-    return inverse(allowed, allowed);
-  };
-  compliance_ = compliance(all.x.colwise() - centre);
-  gauss_compliance_ = compliance(b);
+  residual_ = roots_.cwiseProduct((root * away).reshaped());
+  const Alignment taken = target.align && !target.views.empty()
+                              ? alignment_seen(all.x, y, all.weights, metric)
+                              : alignment_in_space(all.x, y, all.weights, allowed_motions(target));
+  motions_ = taken.gauss_newton.motions;
+  compliance_ = taken.exact.compliance;
+  gauss_compliance_ = taken.gauss_newton.compliance;
+  if (!target.views.empty()) seeing_ = root;
 
   gradient_ = Eigen::VectorXd::Zero(system.size());
   weights_ = Eigen::VectorXd::Zero(system.size());
-  weighted_motions_ = Eigen::MatrixXd::Zero(system.size(), motions_.cols());
+  forces_ = Eigen::MatrixXd::Zero(system.size(), motions_.cols());
+  gauss_forces_ = forces_;
   rows_.assign(system.size(), -1);
+  const Eigen::Matrix3Xd pulling = metric * away;
   Eigen::Index column = 0;
   for (int r = 0; r < static_cast<int>(state.size()); ++r)
     for (int v = 0; v < state[r].x.cols(); ++v, ++column)
@@ -126,20 +125,37 @@ Distance::Distance(const model::Target& target, const equilibrium::System& syste
         const Eigen::Index row = 3 * column + axis;
         rows_[at] = static_cast<int>(row);
         weights_[at] = all.weights[column];
-        gradient_[at] = 2 * all.weights[column] * away(axis, column);
-        weighted_motions_.row(at) = all.weights[column] * motions_.row(row);
+        gradient_[at] = 2 * all.weights[column] * pulling(axis, column);
+        forces_.row(at) = taken.exact.forces.row(row);
+        gauss_forces_.row(at) = taken.gauss_newton.forces.row(row);
       }
 }
 
+Eigen::MatrixXd Distance::in_rows(const Eigen::Ref<const Eigen::MatrixXd>& v) const {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(roots_.size(), v.cols());
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (rows_[i] >= 0) result.row(rows_[i]) = v.row(static_cast<Eigen::Index>(i));
+  return result;
+}
+
 Eigen::MatrixXd Distance::hessian_times(const Eigen::Ref<const Eigen::MatrixXd>& v) const {
-  return 2 * (weights_.asDiagonal() * v -
-              weighted_motions_ * (compliance_ * (weighted_motions_.transpose() * v)));
+  const Eigen::MatrixXd taken_up = forces_ * (compliance_ * (forces_.transpose() * v));
+  if (!seeing_) return 2 * (weights_.asDiagonal() * v - taken_up);
+  const Eigen::MatrixXd rows = mapped(in_rows(v), *seeing_ * *seeing_);
+  Eigen::MatrixXd result = -2 * taken_up;
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (rows_[i] >= 0) {
+      const auto at = static_cast<Eigen::Index>(i);
+      result.row(at) += 2 * weights_[at] * rows.row(rows_[i]);
+    }
+  return result;
 }
 
 Eigen::MatrixXd Distance::residual_rates(const Eigen::Ref<const Eigen::MatrixXd>& v) const {
-  Eigen::MatrixXd rates = -motions_ * (gauss_compliance_ * (weighted_motions_.transpose() * v));
+  Eigen::MatrixXd rates = -motions_ * (gauss_compliance_ * (gauss_forces_.transpose() * v));
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (rows_[i] >= 0) rates.row(rows_[i]) += v.row(static_cast<Eigen::Index>(i));
+  if (seeing_) rates = mapped(std::move(rates), *seeing_);
   return roots_.asDiagonal() * rates;
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <stdexcept>
 #include <tencer/core/error.hpp>
 #include <tencer/geometry/measure.hpp>
 #include <tencer/model/target.hpp>
@@ -31,6 +32,10 @@ void validate(const Target& target, const Structure& structure) {
     sum += weights.sum();
   }
   core::require(sum > 0, "target: the weights must not all be zero");
+  core::require(target.views.empty() || !target.planar,
+                "target: one in the plane z = const is not seen from a side");
+  if (const auto problem = view_problem(target.views))
+    throw std::invalid_argument("target: " + *problem);
 }
 
 Eigen::VectorXd weights_of(const Target& target, std::size_t rod) {

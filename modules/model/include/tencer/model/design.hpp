@@ -13,6 +13,7 @@
 #include <tencer/model/stage_row.hpp>
 #include <tencer/model/strain.hpp>
 #include <tencer/model/structure.hpp>
+#include <tencer/model/view.hpp>
 #include <vector>
 
 namespace tencer::model {
@@ -40,6 +41,7 @@ struct Design {
   Structure structure{};
   std::vector<BuiltCable> built{};         // one a cable
   std::vector<Eigen::Matrix3Xd> target{};  // per rod, 3 x n
+  std::vector<View> views{};               // from where its error is seen; none: in space
   std::vector<Eigen::Matrix3Xd> pose{};    // per rod, 3 x n
   // Per rod, 3 x edges: where the section's first axis points on every edge, as far as it is
   // perpendicular to the edge. No columns: not known, or of no consequence.

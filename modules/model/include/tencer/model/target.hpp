@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <tencer/model/structure.hpp>
+#include <tencer/model/view.hpp>
 #include <vector>
 
 namespace tencer::model {
@@ -15,6 +16,8 @@ struct Target {
   // pins hold in place. All rods move together.
   bool align = true;
   bool planar = false;  // then only within the plane z = const
+  // From where distances to the target are seen; not of a planar target. Empty: distances in space.
+  std::vector<View> views{};
 };
 
 // The target `points` of a structure with its cables: aligned unless pins or cables to anchors hold
@@ -22,7 +25,8 @@ struct Target {
 Target make_target(const Structure& structure, std::vector<Eigen::Matrix3Xd> points,
                    std::vector<Eigen::VectorXd> weights = {});
 
-// Throws std::invalid_argument unless the target's sizes and weights fit the structure.
+// Throws std::invalid_argument unless the target's sizes and weights fit the structure, and its
+// views are sound.
 void validate(const Target& target, const Structure& structure);
 
 // The weights of a rod's vertices, also where the target does not give any.

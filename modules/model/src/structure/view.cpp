@@ -1,0 +1,50 @@
+#include <cmath>
+#include <sstream>
+#include <tencer/core/error.hpp>
+#include <tencer/core/words.hpp>
+#include <tencer/model/view.hpp>
+
+namespace tencer::model {
+
+Eigen::Matrix3d seen_metric(const std::vector<View>& views) {
+  if (views.empty()) return Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  double weights = 0;
+  for (const View& view : views) {
+    const Eigen::Vector3d along = view.direction.normalized();
+    sum += view.weight * (Eigen::Matrix3d::Identity() - along * along.transpose());
+    weights += view.weight;
+  }
+  return sum / weights;
+}
+
+std::vector<View> turned(std::vector<View> views, const Eigen::Matrix3d& rotation) {
+  for (View& view : views) view.direction = rotation * view.direction;
+  return views;
+}
+
+std::optional<std::string> view_problem(const std::vector<View>& views) {
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const std::string name = views.size() == 1 ? "view" : "views[" + std::to_string(i) + "]";
+    const auto& [direction, weight] = views[i];
+    if (!direction.allFinite() || !(direction.norm() > 0) || !std::isfinite(direction.norm()))
+      return name + ": expected a direction [x, y, z] that is not zero";
+    if (!(weight > 0) || !std::isfinite(weight)) return name + ": expected a weight above 0";
+  }
+  return std::nullopt;
+}
+
+std::string seen_in_words(const std::vector<View>& views) {
+  if (views.empty()) return {};
+  std::vector<std::string> directions;
+  for (const View& view : views) {
+    std::ostringstream text;
+    text.precision(3);
+    text << '(' << view.direction.x() << ", " << view.direction.y() << ", " << view.direction.z()
+         << ')';
+    directions.push_back(text.str());
+  }
+  return "seen along " + core::listed(directions);
+}
+
+}  // namespace tencer::model
