@@ -22,6 +22,7 @@ constexpr const char* design_examples = R"(Examples:
   tencer design curve.obj --max-error 0.5    the fewest cables that come as close as that
   tencer design curve.obj --cables 8         the closest design with at most 8 cables
   tencer design curve.obj --trade-off        how close with how many cables: all of them, in a table
+  tencer design curve.obj --view 0,0,1       only what is seen along z has to be right
   tencer design curve.obj --symmetry detect --objective rms
   tencer design curve.obj --method dense-springs --optimizer mma
   tencer design curve.obj --time 2           the best design that two seconds of search find

@@ -22,6 +22,9 @@ foreach(value 0 -1 nan inf small)
   refused("--tolerance: " "expected a positive number, found ${value}"
     simulate design.json --tolerance ${value})
 endforeach()
+refused("--view: expected a direction x,y,z that is not zero" "such as 0,0,1"
+  design ring.obj -o out --view 0,0,0)
+refused("--view: " "(see tencer design --help)" design ring.obj -o out --view 0,1)
 refused("--optimizer: " "use one of gauss-newton, " design ring.obj -o out --optimizer bfgs)
 refused("--optimizer: " "did you mean ipopt?" design ring.obj -o out --optimizer IPOPT)
 refused("--hessian: " "limited-memory, gauss-newton, exact" design ring.obj -o out --hessian full)

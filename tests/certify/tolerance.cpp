@@ -77,6 +77,20 @@ TEST_CASE("the response is that of settling anew with another length or attachme
   }
 }
 
+TEST_CASE("of errors that a view does not see nothing is told") {
+  const fixtures::Held bow = fixtures::bow();
+  const auto all = certify::pose_response(bow.structure, bow.state, bow.tensions);
+  const auto along = [&](const Eigen::Vector3d& direction) {
+    const auto seen =
+        certify::pose_response(bow.structure, bow.state, bow.tensions, {{.direction = direction}});
+    REQUIRE(seen.computed);
+    return certify::typical_deviation(seen, {.length = 0.01, .attachment = 0.01});
+  };
+  const double whole = certify::typical_deviation(all, {.length = 0.01, .attachment = 0.01});
+  CHECK(along({1, 0, 0}) < whole);
+  CHECK(along({1, 0, 0}) > 0);
+}
+
 TEST_CASE("a slack cable's errors do nothing, and it has no parameters") {
   fixtures::Held bow = fixtures::bow();
   const auto before = certify::pose_response(bow.structure, bow.state, bow.tensions);

@@ -59,6 +59,18 @@ TEST_CASE("A block is in equilibrium while other rods are held, and put back cha
   CHECK(after == Approx(before).epsilon(1e-9));
 }
 
+TEST_CASE("A block is seen from where the whole is") {
+  const Model model = chain(3, 32);
+  model::Target target{.points = model.positions, .views = {{.direction = {0.2, 0.1, 1}}}};
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 1, 0).normalized()).toRotationMatrix();
+  for (auto& points : target.points) points = turn * points;
+  target.views = model::turned(target.views, turn);
+  const Block block = block_of(balanced_links(model), target, {}, {0, 1}, soft);
+  REQUIRE(block.target.views.size() == 1);
+  CHECK((block.target.views[0].direction - Eigen::Vector3d(0.2, 0.1, 1)).norm() < 0.02);
+}
+
 TEST_CASE("What is put back of a block replaces its cables and its rods only") {
   const Model model = chain(3, 32);
   const model::Target target{.points = model.positions};

@@ -77,6 +77,23 @@ TEST_CASE("The same shape is the same problem, wherever it lies and however it i
   }
 }
 
+TEST_CASE("Views turn with the shape") {
+  Problem problem = problem_of_curves(shape());
+  problem.target.views = {{.direction = {0, 0.6, 0.8}}, {.direction = {1, 0, 0}, .weight = 2}};
+  Problem other = problem_of_curves(turned(shape()));
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, -0.5).normalized()).toRotationMatrix();
+  other.target.views = model::turned(problem.target.views, turn);
+  const Problem before = *coarsened(Canonical(problem).problem(), {});
+  const Problem after = *coarsened(Canonical(other).problem(), {});
+  REQUIRE(after.target.views.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(after.target.views[i].direction == before.target.views[i].direction);
+    CHECK(after.target.views[i].weight == before.target.views[i].weight);
+  }
+  CHECK((before.target.views[1].direction - problem.target.views[1].direction).norm() > 0.1);
+}
+
 TEST_CASE("A mirror image is another problem") {
   auto mirrored = shape();
   for (auto& curve : mirrored) curve.points.row(0) *= -1;

@@ -22,7 +22,8 @@ TEST_CASE("Errors move a network along its soft modes as the full response does"
   for (int round = 0; round < 20; ++round)
     soft = equilibrium::soft_modes(at.system, at.linearisation, soft);
   const Workmanship workmanship{.length_error = 2e-4, .attachment_error = 5e-4};
-  const ErrorResponse response = error_response(at, soft, workmanship, 0);
+  const ErrorResponse response =
+      error_response(at, soft, workmanship, 0, Eigen::Matrix3d::Identity());
 
   const auto parameters = cable_parameters(at.cables(), 0);
   const Eigen::MatrixXd motion = sensitivity::state_derivatives(at, parameters);
@@ -63,5 +64,5 @@ TEST_CASE("Without errors nothing moves") {
   at.linearisation.matrix = at.system.pattern();
   equilibrium::linearise(at.system, at.state, at.linearisation);
   const auto soft = equilibrium::soft_modes(at.system, at.linearisation, {});
-  CHECK(error_response(at, soft, {}, 0).deviation == 0);
+  CHECK(error_response(at, soft, {}, 0, Eigen::Matrix3d::Identity()).deviation == 0);
 }

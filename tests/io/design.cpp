@@ -117,6 +117,26 @@ TEST_CASE("a design is read back to the last bit") {
   CHECK(folder.text("again.json") == folder.text("design.json"));
 }
 
+TEST_CASE("a design's views are read back, and are not those of a planar one") {
+  const Folder folder;
+  Design design = sample();
+  design.structure.planar = false;
+  design.views = {{.direction = {0, 0.25, 1}}, {.direction = {1, 0, 0}, .weight = 2.5}};
+  REQUIRE_FALSE(write_design(folder / "design.json", design));
+  const auto read = read_design(folder / "design.json");
+  if (!read) FAIL(read.error().text());
+  REQUIRE(read->views.size() == 2);
+  for (int i = 0; i < 2; ++i) {
+    CHECK(read->views[i].direction == design.views[i].direction);
+    CHECK(read->views[i].weight == design.views[i].weight);
+  }
+  design.structure.planar = true;
+  REQUIRE_FALSE(write_design(folder / "design.json", design));
+  const auto refused = read_design(folder / "design.json");
+  REQUIRE_FALSE(refused);
+  CHECK_THAT(refused.error().text(), Catch::Matchers::Contains("views: a planar design"));
+}
+
 TEST_CASE("the file has the fields other programs rely on, in their order") {
   const Folder folder;
   Design design;

@@ -82,6 +82,25 @@ TEST_CASE("a scene of one line has defaults for all else") {
   CHECK(scene.design.greedy_threshold == 5e-6);
 }
 
+TEST_CASE("a target is seen from one side, from several, or in space") {
+  const Curves folder;
+  const std::string ring = "[[rod]]\ncurve = 'ring.obj'\n[design]\n";
+  CHECK(folder.scene(ring).target.views.empty());
+  const auto one = folder.scene(ring + "view = [0, 1, 2]\n").target.views;
+  REQUIRE(one.size() == 1);
+  CHECK(one[0].direction == Eigen::Vector3d(0, 1, 2));
+  const auto two = folder.scene(ring + "view = [[1, 0, 0], [0, 0, 2]]\n").target.views;
+  REQUIRE(two.size() == 2);
+  CHECK(two[1].direction == Eigen::Vector3d(0, 0, 2));
+  CHECK(two[1].weight == 1);
+  const auto heavy =
+      folder.scene(ring + "view = [{direction = [1, 0, 0]}, {direction = [0, 1, 0], weight = 3}]\n")
+          .target.views;
+  REQUIRE(heavy.size() == 2);
+  CHECK(heavy[0].weight == 1);
+  CHECK(heavy[1].weight == 3);
+}
+
 TEST_CASE("a rod is of its material, and its section can say otherwise") {
   const Curves folder;
   const model::Scene scene = folder.scene(R"(

@@ -72,6 +72,13 @@ TEST_CASE("nothing is claimed of rods that are not straight, round and free to t
   }
 }
 
+TEST_CASE("of what is seen from a side nothing is proven") {
+  const fixtures::Model model = fixtures::trefoil(48);
+  auto target = model::make_target(model.structure, model.positions);
+  target.views = {{}};
+  CHECK_THROWS_AS(at_least(model.structure, target, 1), std::invalid_argument);
+}
+
 TEST_CASE("stretches are places where a cable has to end", "[lower_bound]") {
   const fixtures::Model trefoil = fixtures::trefoil(80);
   const auto found =

@@ -73,6 +73,13 @@ void add_search(CLI::App& command, DesignRequest& request) {
   const model::DesignSettings standard;
   add_choice(command, "--objective", request.objective,
              "Which of the distances to the target is made small", standard.objective);
+  command
+      .add_option("--view", request.view,
+                  "Along x,y,z: distances to the target count as they are seen in this direction "
+                  "[the scene's, else in space]")
+      ->delimiter(',')
+      ->expected(3)
+      ->type_name("X,Y,Z");
   add_choice(command, "--symmetry", request.symmetry,
              "Whether the cables keep the target's symmetries, or you are told of them",
              standard.symmetry, {model::SymmetryUse::given});
@@ -159,11 +166,26 @@ std::optional<core::Error> pictures_problem(const DesignRequest& request) {
   return std::nullopt;
 }
 
+namespace {
+
+std::optional<core::Error> apply_view(const DesignRequest& request, model::Scene& scene) {
+  if (request.view.empty()) return std::nullopt;
+  scene.target.views = {{.direction = Eigen::Vector3d(request.view.data())}};
+  if (model::view_problem(scene.target.views))
+    return core::Error{"--view", "expected a direction x,y,z that is not zero, such as 0,0,1"};
+  if (scene.structure.planar)
+    return core::Error{"--view", "a planar scene is seen along z as it is: leave it out"};
+  return std::nullopt;
+}
+
+}  // namespace
+
 core::Expected<model::Scene> requested_scene(const DesignRequest& request) {
   if (const auto error = contradiction(request)) return *error;
   auto scene = requested_scene(request.scene);
   if (!scene) return scene;
   if (const auto error = apply(request, scene->design)) return *error;
+  if (const auto error = apply_view(request, *scene)) return *error;
   apply_errors(request, *scene);
   if (const auto error = apply(request.edit, request.scene.cables.has_value(), *scene))
     return *error;

@@ -22,6 +22,7 @@ struct DesignRequest {
   std::optional<model::Optimizer> optimizer;
   std::optional<model::SecondDerivatives> hessian;
   std::optional<model::Measure> objective;
+  std::vector<double> view;  // x, y and z; empty: the scene's
   std::optional<model::SymmetryUse> symmetry;
   std::optional<int> threads;
   std::optional<double> time;

@@ -1,6 +1,7 @@
 #include "drawing/axes.hpp"
 
 #include <Eigen/Dense>
+#include <cmath>
 
 namespace tencer::app {
 
@@ -19,6 +20,16 @@ Matrix3d principal_axes(const Eigen::Matrix3Xd& points) {
     if (rows(axis, largest) < 0) rows.row(axis) *= -1;
   }
   rows.row(2) = rows.row(0).cross(rows.row(1));
+  return rows;
+}
+
+Matrix3d axes_along(const Vector3d& direction) {
+  const Vector3d towards = direction.normalized();
+  const Vector3d up = std::abs(towards.z()) > 0.99 ? Vector3d::UnitY() : Vector3d::UnitZ();
+  Matrix3d rows;
+  rows.row(0) = up.cross(towards).normalized();
+  rows.row(2) = towards;
+  rows.row(1) = towards.cross(rows.row(0).transpose());
   return rows;
 }
 

@@ -10,6 +10,9 @@ namespace tencer::app {
 // reader.
 Eigen::Matrix3d principal_axes(const Eigen::Matrix3Xd& points);
 
+// What is seen along a direction that is not zero: z is up, or y where it is not across.
+Eigen::Matrix3d axes_along(const Eigen::Vector3d& direction);
+
 // The same structure from above it and from its right; axes: of the front.
 Eigen::Matrix3d from_above(const Eigen::Matrix3d& axes);
 Eigen::Matrix3d from_right(const Eigen::Matrix3d& axes);

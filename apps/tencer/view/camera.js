@@ -30,7 +30,7 @@ function isFlat(design) {
 function viewOf(name) {
   const design = seenDesign();
   if (name === 'home')
-    return { rows: design.axes, from: isFlat(design) ? [0, 0, 1] : [-0.35, 0.5, 0.88] };
+    return { rows: design.axes, from: design.views || isFlat(design) ? [0, 0, 1] : [-0.35, 0.5, 0.88] };
   if (name === 'front') return { rows: design.axes, from: [0, 0, 1] };
   const x = [1, 0, 0];
   const y = [0, 1, 0];

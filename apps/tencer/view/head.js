@@ -109,6 +109,9 @@ function showHead() {
   const away = (percent) => `${smallLength(design, percent / 100 * size)} (${percentText(percent)})`;
   add('largest error', error ? away(error.max_percent) : 'not known');
   add('rms error', error ? away(error.rms_percent) : 'not known');
+  if (design.views)
+    add('errors as seen along', design.views.map((view) =>
+      `(${view.direction.map((c) => significant(c, 3)).join(', ')})`).join(' and '));
   toleranceFact(design, add);
   balanceFacts(design, add);
   strainFact(design, add);

@@ -171,7 +171,10 @@ Json crossings_json(const model::Design& design, const Eigen::Matrix3d& axes) {
   return crossings;
 }
 
+// From the side that counts most, if any does more than others.
 Eigen::Matrix3d axes_of(const model::Design& design) {
+  if (!design.views.empty())
+    return axes_along(std::ranges::max(design.views, {}, &model::View::weight).direction);
   std::vector<double> all;
   for (const auto& pose : design.pose)
     all.insert(all.end(), pose.reshaped().begin(), pose.reshaped().end());

@@ -72,12 +72,14 @@ Draw settle(const Built& built) {
 template <class Visit>
 void each_draw(const model::Structure& structure, const model::State& state,
                const Eigen::VectorXd& tensions, const CableErrors& errors, int draws,
-               std::uint64_t seed, const equilibrium::PathOptions& options, Visit&& visit) {
+               std::uint64_t seed, const equilibrium::PathOptions& options,
+               const std::vector<model::View>& views, Visit&& visit) {
   const auto parameters = all_parameters(structure.cables);
   const Eigen::MatrixXd units = unit_draws(static_cast<int>(parameters.size()), draws, seed);
   Eigen::VectorXd limits(units.rows());
   for (Eigen::Index p = 0; p < limits.size(); ++p) limits[p] = limit_of(errors, parameters[p]);
-  const model::Target pose = model::make_target(structure, model::positions_of(state));
+  model::Target pose = model::make_target(structure, model::positions_of(state));
+  pose.views = views;
   for (int draw = 0; draw < draws && !options.solve.stop.stop_requested(); ++draw) {
     const Eigen::VectorXd wrong = limits.cwiseProduct(units.col(draw));
     if (!visit(settle({structure, state, tensions, pose, parameters, wrong, options}))) return;
@@ -88,9 +90,10 @@ void each_draw(const model::Structure& structure, const model::State& state,
 
 std::vector<Draw> settle_draws(const model::Structure& structure, const model::State& state,
                                const Eigen::VectorXd& tensions, const CableErrors& errors,
-                               int draws, std::uint64_t seed, const std::stop_token& stop) {
+                               int draws, std::uint64_t seed, const std::stop_token& stop,
+                               const std::vector<model::View>& views) {
   std::vector<Draw> result;
-  each_draw(structure, state, tensions, errors, draws, seed, {.solve = {.stop = stop}},
+  each_draw(structure, state, tensions, errors, draws, seed, {.solve = {.stop = stop}}, views,
             [&](const Draw& draw) {
               result.push_back(draw);
               return true;
@@ -103,7 +106,7 @@ bool all_keep_their_paths(const model::Structure& structure, const model::State&
                           std::uint64_t seed, const std::stop_token& stop) {
   bool all = true;
   each_draw(structure, state, tensions, errors, draws, seed,
-            {.beyond_fold = false, .solve = {.stop = stop}}, [&](const Draw& draw) {
+            {.beyond_fold = false, .solve = {.stop = stop}}, {}, [&](const Draw& draw) {
               all = draw.keeps_its_path();
               return all;
             });

@@ -61,7 +61,7 @@ RightHandSides right_hand_sides(const System& system, const model::State& state,
 }  // namespace
 
 PoseResponse pose_response(const model::Structure& structure, const model::State& state,
-                           const Eigen::VectorXd& tensions) {
+                           const Eigen::VectorXd& tensions, const std::vector<model::View>& views) {
   const std::vector<int> taut = equilibrium::taut_cables(tensions);
   const System system = equilibrium::taut_system(structure, state, tensions, taut);
   PoseResponse result;
@@ -74,7 +74,8 @@ PoseResponse pose_response(const model::Structure& structure, const model::State
   if (!hessian.factorise()) return result;
   const auto [force, length] = right_hand_sides(system, state, result.parameters);
   const auto [motion, tension] = hessian.respond(force, length);
-  const auto target = model::make_target(structure, model::positions_of(state));
+  model::Target target = model::make_target(structure, model::positions_of(state));
+  target.views = views;
   result.displacement = sensitivity::Distance(target, system, state).residual_rates(motion);
   result.tension = Eigen::MatrixXd::Zero(tensions.size(), tension.cols());
   for (std::size_t c = 0; c < taut.size(); ++c)

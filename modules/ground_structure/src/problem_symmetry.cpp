@@ -39,7 +39,7 @@ class Constraints {
 
   std::string operator()(const Operation& operation) const {
     for (const auto test : {&Constraints::frames, &Constraints::pins, &Constraints::loads,
-                            &Constraints::weights, &Constraints::rules})
+                            &Constraints::weights, &Constraints::views, &Constraints::rules})
       if (std::string text = (this->*test)(operation); !text.empty()) return text;
     return {};
   }
@@ -119,6 +119,12 @@ class Constraints {
         return "does not keep gravity";
     }
     return {};
+  }
+
+  std::string views(const Operation& operation) const {
+    const Eigen::Matrix3d metric = model::seen_metric(target_.views);
+    const Eigen::Matrix3d turned = operation.matrix * metric * operation.matrix.transpose();
+    return (turned - metric).norm() < near ? "" : "does not keep what is seen of the rods";
   }
 
   std::string weights(const Operation& operation) const {

@@ -141,6 +141,7 @@ model::AtLeast at_least(const model::Structure& structure, const model::Target& 
                         double error_percent, const std::stop_token& stop) {
   constexpr int most_cells = 32;
   validate(target, structure);
+  core::require(target.views.empty(), "at_least: a target that is seen from a side has no bound");
   core::require(error_percent > 0, "at_least: the error must be positive");
   model::AtLeast result{.error_percent = error_percent};
   if (!structure.line_loads.empty()) return result;

@@ -111,6 +111,7 @@ Design design_of(const Task& task, const Network& network) {
                 .force_unit = scene.force_unit,
                 .structure = scene.structure,
                 .target = scene.target.points,
+                .views = scene.target.views,
                 .pose = scene.target.points,
                 .goal = goal_of(scene.design)};
   if (network.structure.pins.empty()) design.structure.pins.clear();  // they may be handed over
@@ -138,8 +139,9 @@ model::StageRow check_settling(const Task& task, const Network& network, Design&
   const auto begin = std::chrono::steady_clock::now();
   const auto settling = network::settle(network, problem.start, problem.target);
   const auto& found = settling.equilibrium;
-  const auto deviation = sensitivity::deviation(
-      model::make_target(network.structure, problem.target.points), found.state);
+  model::Target target = model::make_target(network.structure, problem.target.points);
+  target.views = problem.target.views;
+  const auto deviation = sensitivity::deviation(target, found.state);
   model::StageRow row{
       .stage = "settle",
       .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
@@ -179,7 +181,10 @@ model::Check check_building(const Task& task, const Design& design, const RunOpt
 
 // What the number of its cables is to be compared with: within the error that was asked for, or, of
 // a number of cables, as near as it comes.
-model::AtLeast needed(const Task& task, const Design& design, const RunOptions& options) {
+// Of what is seen from a side only nothing is known.
+std::optional<model::AtLeast> needed(const Task& task, const Design& design,
+                                     const RunOptions& options) {
+  if (!design.views.empty()) return std::nullopt;
   const model::Goal goal = goal_of(task.scene.design);
   return at_least(task.prepared,
                   goal.by_number() ? design.error->max_percent : goal.max_error_percent,

@@ -87,10 +87,14 @@ std::optional<Look> look_at_neighbours_first(const Problem& problem,
   return look(problem, options);
 }
 
-Verdict verdict_of(const Look& look, const model::DesignSettings& settings) {
+// What cannot be held where the target is may be held where it looks the same.
+Verdict verdict_of(const Look& look, const Problem& problem,
+                   const model::DesignSettings& settings) {
   const ground_structure::TiedRest& rest = look.rest;
-  if (look.separation) return Verdict::cannot;
+  const bool elsewhere = !problem.target.views.empty();
+  if (look.separation) return elsewhere ? Verdict::unclear : Verdict::cannot;
   if (rest.rests && rest.max_percent <= settings.max_error) return Verdict::can;
+  if (elsewhere) return Verdict::unclear;
   return rest.proves_motion() && rest.max_percent > far_percent(settings) ? Verdict::cannot
                                                                           : Verdict::unclear;
 }
@@ -203,9 +207,9 @@ core::Expected<Feasibility> feasible(const model::Scene& scene, const FeasibleOp
                        "the rods' stiffness at the target is not finite; space its "
                        "points more evenly"};
   fill(problem, *found, length, result);
-  result.verdict = verdict_of(*found, scene.design);
+  result.verdict = verdict_of(*found, problem, scene.design);
   result.warnings = target_warnings(coarse, problem.structure, problem.start, length);
-  if (options.at_least && result.verdict != Verdict::cannot)
+  if (options.at_least && result.verdict != Verdict::cannot && problem.target.views.empty())
     result.at_least = needed(scene, options.stop);
   if (asked_for(options.mends, result.verdict))
     result.mends = try_mends(coarse, trial_of(scene, options));

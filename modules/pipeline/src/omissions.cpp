@@ -71,6 +71,12 @@ Feature registration(const model::Scene& scene, const Prepared& prepared) {
                                        : "pinned vertices hold the rods in space"};
 }
 
+Feature view(const model::Scene& scene) {
+  const auto& views = scene.target.views;
+  if (views.empty()) return {"view", false, "distances count in space, from whatever side"};
+  return {"view", true, "distances count as " + model::seen_in_words(views)};
+}
+
 // Coordinates that pins take out of the unknowns.
 int held_coordinates(const model::Structure& structure) {
   model::Structure unpinned = structure;
@@ -128,7 +134,7 @@ std::vector<Feature> features_of(const model::Scene& scene, const Prepared& prep
     features.push_back({"pinned coordinates", false, counted(held, "unknown") + " fewer"});
   if (!scene.structure.pins.empty()) features.push_back(hand_over(scene));
   features.insert(features.end(),
-                  {registration(scene, prepared), loads(prepared.problem.structure),
+                  {registration(scene, prepared), view(scene), loads(prepared.problem.structure),
                    external(scene, prepared), symmetry(scene, prepared), optimizer(scene),
                    Feature{"sliding", true, "ends on rods slide along them in every scene"}});
   return features;

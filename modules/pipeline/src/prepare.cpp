@@ -200,7 +200,8 @@ core::Expected<Prepared> prepare(const model::Scene& scene) {
   problem.target = {.points = model::scaled(scene.target.points, prepared.scaling),
                     .weights = scene.target.weights,
                     .align = scene.structure.pins.empty() && !problem.rules.external,
-                    .planar = scene.structure.planar};
+                    .planar = scene.structure.planar,
+                    .views = scene.target.views};
   if (auto error = check_loads(scene, problem)) return *error;
   problem.start = start_of(scene, problem);
   if (auto error =

@@ -17,7 +17,8 @@ namespace {
 std::optional<double> off_by_errors(const Solved& solved, const model::Scaling& scaling,
                                     const std::string& length_unit) {
   if (!std::ranges::count(model::length_units(), length_unit)) return std::nullopt;
-  const auto response = certify::pose_response(solved.structure, solved.state, solved.tensions);
+  const auto response = certify::pose_response(solved.structure, solved.state, solved.tensions,
+                                               sensitivity::views_at(solved.target, solved.state));
   if (!response.computed || response.parameters.empty()) return std::nullopt;
   const double millimetre = 1e-3 / model::metres(length_unit) / scaling.scale.length;
   return scaling.scale.length *

@@ -104,7 +104,8 @@ core::Expected<Simulation> simulate(const model::Design& given, const SimulateOp
   const model::Scaling scaling = model::scaling_of(design.structure, design.target);
   const model::Structure structure = model::scaled(
       options.cables == Cables::springs ? design.structure : model::as_built(design), scaling);
-  const auto target = model::make_target(structure, model::scaled(design.target, scaling));
+  auto target = model::make_target(structure, model::scaled(design.target, scaling));
+  target.views = design.views;
   const model::State start = options.start == Start::pose
                                  ? pose_state(design, structure, scaling)
                                  : target_state(design, structure, scaling);

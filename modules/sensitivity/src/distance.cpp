@@ -1,4 +1,3 @@
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <tencer/core/error.hpp>
 #include <tencer/registration/seen.hpp>
@@ -41,17 +40,9 @@ Stacked stack(const model::Target& target, const State& state) {
   return all;
 }
 
-// Takes a distance, in the frame of the state, to what is seen of it. Symmetric; exactly 1 without
-// views.
+// Of distances in the frame of the state.
 Eigen::Matrix3d seeing(const model::Target& target, const registration::RigidMotion& motion) {
-  if (target.views.empty()) return Eigen::Matrix3d::Identity();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
-      model::seen_metric(model::turned(target.views, motion.rotation)));
-  constexpr double rounding = 1e-14;  // its root would be seen
-  const Eigen::Vector3d squares = eigen.eigenvalues();
-  return eigen.eigenvectors() *
-         (squares.array() > rounding).select(squares, 0).cwiseSqrt().matrix().asDiagonal() *
-         eigen.eigenvectors().transpose();
+  return model::seeing(model::turned(target.views, motion.rotation));
 }
 
 registration::RigidMotion alignment(const model::Target& target, const Stacked& all) {
@@ -89,6 +80,11 @@ Eigen::MatrixXd mapped(Eigen::MatrixXd v, const Eigen::Matrix3d& by) {
 
 Deviation deviation(const model::Target& target, const State& state) {
   return measure(target, stack(target, state));
+}
+
+std::vector<model::View> views_at(const model::Target& target, const State& state) {
+  if (target.views.empty() || !target.align) return target.views;
+  return model::turned(target.views, alignment(target, stack(target, state)).rotation);
 }
 
 Distance::Distance(const model::Target& target, const equilibrium::System& system,

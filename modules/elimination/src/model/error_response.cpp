@@ -15,7 +15,7 @@ certify::CableErrors errors_of(const Workmanship& workmanship, double times) {
 
 ErrorResponse error_response(const sensitivity::Configuration& at,
                              const equilibrium::SoftModes& soft, const Workmanship& workmanship,
-                             int fixed_cables) {
+                             int fixed_cables, const Eigen::Matrix3d& metric) {
   const Eigen::Index modes = soft.values.size();
   ErrorResponse response{.covariance = Eigen::MatrixXd::Zero(modes, modes)};
   if (!(workmanship.length_error > 0 || workmanship.attachment_error > 0)) return response;
@@ -36,9 +36,14 @@ ErrorResponse error_response(const sensitivity::Configuration& at,
   for (int rod = 0; rod < static_cast<int>(at.state.size()); ++rod)
     for (int vertex = 0; vertex < at.state[rod].x.cols(); ++vertex) {
       double variance = 0;
-      for (int axis = 0; axis < 3; ++axis)
-        if (const int i = at.system.position_index(rod, vertex, axis); i >= 0)
-          variance += soft.modes.row(i) * response.covariance * soft.modes.row(i).transpose();
+      for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b) {
+          const int i = at.system.position_index(rod, vertex, a);
+          const int j = at.system.position_index(rod, vertex, b);
+          if (metric(a, b) != 0 && i >= 0 && j >= 0)
+            variance += metric(a, b) * soft.modes.row(i) * response.covariance *
+                        soft.modes.row(j).transpose();
+        }
       largest = std::max(largest, variance);
     }
   response.deviation = std::sqrt(largest);

@@ -15,13 +15,14 @@ certify::CableErrors errors_of(const Workmanship& workmanship, double times = 1)
 struct ErrorResponse {
   // Of the modes' coordinates (modes x modes): squares of mean displacements.
   Eigen::MatrixXd covariance{};
-  double deviation = 0.0;  // standard deviation of the vertex that moves most, a length
+  double deviation = 0.0;  // standard deviation of the vertex that is seen to move most, a length
 };
 
 // Errors are independent and uniform within the limits of the workmanship; the first cables, as
-// many as `fixed_cables`, have none. What stiffer modes add is left out.
+// many as `fixed_cables`, have none. What stiffer modes add is left out. metric: of what is seen of
+// a motion, in the frame of the state (model::seen_metric).
 ErrorResponse error_response(const sensitivity::Configuration& at,
                              const equilibrium::SoftModes& soft, const Workmanship& workmanship,
-                             int fixed_cables);
+                             int fixed_cables, const Eigen::Matrix3d& metric);
 
 }  // namespace tencer::elimination

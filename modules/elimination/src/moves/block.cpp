@@ -112,6 +112,7 @@ Block block_of(const network::Network& whole, const model::Target& target,
   block.fixed_cables = static_cast<int>(own.anchors.cols() - all.anchors.cols());
   block.target.align = target.align && block.fixed_cables == 0;
   block.target.planar = target.planar;
+  block.target.views = model::turned(target.views, motion.rotation);
   block.rules = rules;
   block.rules.pairs.reset();
   block.rules.forbidden = of_rods(rules.forbidden, block.rods);

@@ -171,6 +171,7 @@ void turn(Problem& problem, const Eigen::Matrix3d& by) {
   for (auto& load : structure.point_loads) load.force = by * load.force;
   for (auto& load : structure.line_loads) load.force_per_length = by * load.force_per_length;
   for (auto& points : problem.target.points) points = by * points;
+  problem.target.views = model::turned(std::move(problem.target.views), by);
   for (auto& rod : problem.start) rod.x = by * rod.x;
 }
 

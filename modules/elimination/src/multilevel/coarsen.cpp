@@ -141,6 +141,10 @@ void round_off(Problem& problem) {
   for (std::size_t r = 0; r < structure.rods.size(); ++r)
     round_off(structure.rods[r], problem.target.points[r]);
   round_off(problem.rules);
+  for (model::View& view : problem.target.views) {
+    constexpr double grid = 1.0 / (1 << 24);
+    view.direction = (view.direction.normalized().array() / grid).round() * grid;
+  }
   const auto all = [](auto& numbers) {
     numbers = numbers.unaryExpr([](double x) { return rounded(x); }).eval();
   };

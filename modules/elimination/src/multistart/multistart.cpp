@@ -57,7 +57,7 @@ Requirements requirements_for(const Network& start, const model::Target& target,
   const equilibrium::System system(start.structure);
   Workmanship workmanship = options.workmanship;
   workmanship.max_deviation =
-      std::max(workmanship.max_deviation, moved * error_deviation(start, workmanship));
+      std::max(workmanship.max_deviation, moved * error_deviation(start, target, workmanship));
   return {.target = target,
           .rules = rules,
           .symmetry = symmetry,

@@ -84,7 +84,8 @@ bool FittedNetwork::solve_trial(model::State start, const equilibrium::SoftModes
       !equilibrium::stiffer_than(trial_.system, trial_.linearisation, limit, workspace_))
     return false;
   trial_errors_ =
-      error_response(trial_, trial_soft_, requirements_.workmanship, requirements_.fixed_cables);
+      error_response(trial_, trial_soft_, requirements_.workmanship, requirements_.fixed_cables,
+                     model::seen_metric(sensitivity::views_at(requirements_.target, trial_.state)));
   if (2 * trial_errors_.deviation > requirements_.workmanship.max_deviation &&
       trial_errors_.deviation > errors_.deviation)
     return false;

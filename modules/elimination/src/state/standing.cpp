@@ -5,6 +5,7 @@
 #include <tencer/certify/draws.hpp>
 #include <tencer/certify/tolerance.hpp>
 #include <tencer/network/settling.hpp>
+#include <tencer/sensitivity/distance.hpp>
 
 #include "model/gap_bounds.hpp"
 
@@ -30,10 +31,12 @@ bool is_clear(const network::Network& network, const Requirements& requirements)
 
 }  // namespace
 
-double error_deviation(const network::Network& network, const Workmanship& workmanship) {
+double error_deviation(const network::Network& network, const model::Target& target,
+                       const Workmanship& workmanship) {
   constexpr int draws = 2000;  // as many as a check of the design makes
   const Eigen::VectorXd tensions = cable_tensions(network);
-  const auto response = certify::pose_response(built(network), network.state, tensions);
+  const auto response = certify::pose_response(built(network), network.state, tensions,
+                                               sensitivity::views_at(target, network.state));
   if (!response.computed) return std::numeric_limits<double>::infinity();
   return certify::tolerance(response, tensions, errors_of(workmanship), draws).percentile_95;
 }
@@ -53,7 +56,8 @@ Standing standing_of(const network::Network& network, const Requirements& requir
                      const std::stop_token& stop) {
   // A check of the design draws other errors, and on other vertices.
   constexpr double spare = 0.97;
-  Standing standing{.deviation = error_deviation(network, requirements.workmanship)};
+  Standing standing{.deviation =
+                        error_deviation(network, requirements.target, requirements.workmanship)};
   if (standing.deviation <= spare * requirements.standing_deviation &&
       is_clear(network, requirements) && keeps_its_pose(network, requirements, stop))
     standing.footing = model::Footing::stands;

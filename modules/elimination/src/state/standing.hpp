@@ -18,6 +18,7 @@ Standing standing_of(const network::Network& network, const Requirements& requir
                      const std::stop_token& stop);
 
 // The deviation by these errors; infinite where there is no first order.
-double error_deviation(const network::Network& network, const Workmanship& workmanship);
+double error_deviation(const network::Network& network, const model::Target& target,
+                       const Workmanship& workmanship);
 
 }  // namespace tencer::elimination

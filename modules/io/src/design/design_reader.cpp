@@ -128,6 +128,10 @@ void read_rod(const JsonValue& value, Design& design) {
   read_frames(value, static_cast<int>(design.structure.rods.size()) - 1, design);
 }
 
+View read_view(const JsonValue& value) {
+  return {.direction = value["direction"].point(), .weight = value["weight"].number()};
+}
+
 Pin read_pin(const JsonValue& value, const std::vector<der::Rod>& rods) {
   Pin pin;
   pin.rod = value["rod"].index(static_cast<int>(rods.size()), "rod");
@@ -243,6 +247,10 @@ void read_structure(const JsonValue& root, Design& design) {
     structure.line_loads.push_back(read_line_load(load, structure.rods));
   });
   if (root.has("planar")) structure.planar = root["planar"].boolean();
+  each("views", [&](const JsonValue& view) { design.views.push_back(read_view(view)); });
+  if (const auto problem = model::view_problem(design.views)) root["views"].fail(*problem);
+  if (structure.planar && !design.views.empty())
+    root["views"].fail("a planar design is seen along z as it is: it has no views");
   for (const JsonValue& cable : root["cables"].items()) read_cable(cable, design);
 }
 

@@ -86,6 +86,10 @@ Json to_json(const LineLoad& load) {
   return Json{{"rod", load.rod}, {"force_per_length", to_json(load.force_per_length)}};
 }
 
+Json to_json(const View& view) {
+  return {{"direction", to_json(view.direction)}, {"weight", view.weight}};
+}
+
 Json to_json(const springs::End& end) {
   if (const auto* anchor = std::get_if<springs::AtAnchor>(&end))
     return Json{{"anchor", anchor->anchor}};
@@ -193,6 +197,7 @@ Json design_to_json(const Design& design) {
   if (!structure.point_loads.empty()) result["point_loads"] = list(structure.point_loads);
   if (!structure.line_loads.empty()) result["line_loads"] = list(structure.line_loads);
   result["planar"] = structure.planar;
+  if (!design.views.empty()) result["views"] = list(design.views);
   result["cables"] = cables;
   if (design.error)
     result["error"] = Json{{"max_percent", design.error->max_percent},

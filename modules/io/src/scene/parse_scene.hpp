@@ -16,7 +16,7 @@ namespace tencer::io {
 inline constexpr std::array<std::string_view, 13> root_keys{
     "name",    "length_unit", "force_unit", "planar", "anchors", "frame", "pinned",
     "gravity", "loads",       "rod",        "design", "build",   "edit"};
-inline constexpr std::array<std::string_view, 20> design_keys{"method",
+inline constexpr std::array<std::string_view, 21> design_keys{"method",
                                                               "optimizer",
                                                               "hessian",
                                                               "max_error",
@@ -28,6 +28,7 @@ inline constexpr std::array<std::string_view, 20> design_keys{"method",
                                                               "hand_over",
                                                               "longest_cable",
                                                               "weights",
+                                                              "view",
                                                               "forbidden_arcs",
                                                               "forbidden_vertices",
                                                               "sparsity_weights",

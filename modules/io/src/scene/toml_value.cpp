@@ -137,6 +137,16 @@ bool TomlTable::is_array(std::string_view key) const {
   return node && node->is_array();
 }
 
+bool TomlTable::is_array_of_arrays(std::string_view key) const {
+  return is_array(key) && !table_->get_as<toml::array>(key)->empty() &&
+         table_->get_as<toml::array>(key)->front().is_array();
+}
+
+bool TomlTable::is_array_of_tables(std::string_view key) const {
+  return is_array(key) && !table_->get_as<toml::array>(key)->empty() &&
+         table_->get_as<toml::array>(key)->front().is_table();
+}
+
 bool TomlTable::is_text(std::string_view key) const {
   const toml::node* node = table_->get(key);
   return node && node->is_string();

@@ -35,6 +35,8 @@ class TomlTable {
   std::vector<std::string> keys() const;  // in order of the alphabet
   bool has(std::string_view key) const { return table_->contains(key); }
   bool is_array(std::string_view key) const;
+  bool is_array_of_arrays(std::string_view key) const;  // going by the first of them
+  bool is_array_of_tables(std::string_view key) const;  // likewise
   bool is_text(std::string_view key) const;
 
   // Each fails when the key is there with another type or out of its range.

@@ -31,6 +31,7 @@ std::string error_words(const Design& design) {
     text << ", max error " << max_percent * one_percent << " mm, rms " << rms_percent * one_percent
          << " mm (" << max_percent << " % and " << rms_percent << " % of the target's size)";
   }
+  if (!design.views.empty()) text << ", " << seen_in_words(design.views);
   return text.str();
 }
 

@@ -54,7 +54,7 @@ std::vector<VertexFields> vertex_fields(const Design& design) {
   for (std::size_t r = 0; r < design.structure.rods.size(); ++r) {
     const der::Rod& rod = design.structure.rods[r];
     const Eigen::Matrix3Xd& pose = design.pose[r];
-    fields.push_back({.deviation = pose - design.target[r],
+    fields.push_back({.deviation = seeing(design.views) * (pose - design.target[r]),
                       .curvature = curvature_of(rod, pose),
                       .strain = strain_of(rod, pose, design.pose_directors[r]),
                       .tension = tension_of(rod, pose)});

@@ -23,6 +23,7 @@ Scene scene_of(const Design& design, const Material& standard) {
   scene.structure.point_loads = given.point_loads;
   scene.structure.line_loads = given.line_loads;
   scene.structure.planar = scene.target.planar = given.planar;
+  scene.target.views = design.views;
   return scene;
 }
 

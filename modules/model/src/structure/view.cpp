@@ -1,3 +1,4 @@
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <sstream>
 #include <tencer/core/error.hpp>
@@ -16,6 +17,16 @@ Eigen::Matrix3d seen_metric(const std::vector<View>& views) {
     weights += view.weight;
   }
   return sum / weights;
+}
+
+Eigen::Matrix3d seeing(const std::vector<View>& views) {
+  if (views.empty()) return Eigen::Matrix3d::Identity();
+  constexpr double rounding = 1e-14;  // its root would be seen
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(seen_metric(views));
+  const Eigen::Vector3d squares = eigen.eigenvalues();
+  return eigen.eigenvectors() *
+         (squares.array() > rounding).select(squares, 0).cwiseSqrt().matrix().asDiagonal() *
+         eigen.eigenvectors().transpose();
 }
 
 std::vector<View> turned(std::vector<View> views, const Eigen::Matrix3d& rotation) {

@@ -17,7 +17,7 @@ void settle(const RestPose& pose, const CheckOptions& options, model::Forgives& 
   const certify::CableErrors errors = scaled_errors(pose, result);
   if (errors.length == 0 && errors.attachment == 0) return;
   const auto settled = certify::settle_draws(pose.structure, pose.state, pose.tensions, errors,
-                                             draws, options.seed, options.stop);
+                                             draws, options.seed, options.stop, pose.design.views);
   for (const certify::Draw& draw : settled) {
     ++result.settled;
     const double deviation = draw.deviation * pose.scaling.scale.length;
@@ -45,7 +45,8 @@ std::optional<model::Forgives> forgives_linearly(const RestPose& pose,
       .attachment_error = options.attachment_error_mm * millimetre,
       .max_deviation = options.max_deviation.length(pose.design.length_unit, size_of(pose.design)),
       .draws = options.draws};
-  const auto response = certify::pose_response(pose.structure, pose.state, pose.tensions);
+  const auto response =
+      certify::pose_response(pose.structure, pose.state, pose.tensions, pose.design.views);
   if (!response.computed) return std::nullopt;
   const auto found = certify::tolerance(response, pose.tensions, scaled_errors(pose, result),
                                         options.draws, options.seed);

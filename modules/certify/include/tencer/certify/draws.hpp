@@ -26,9 +26,11 @@ struct Draw {
 
 // The draws of unit_draws with these errors, each along its path from the pose (equilibrium/
 // path.hpp). Fewer when stopped. Errors that leave a cable no length leave it a millionth of it.
+// views: as pose_response has them.
 std::vector<Draw> settle_draws(const model::Structure& structure, const model::State& state,
                                const Eigen::VectorXd& tensions, const CableErrors& errors,
-                               int draws, std::uint64_t seed, const std::stop_token& stop = {});
+                               int draws, std::uint64_t seed, const std::stop_token& stop = {},
+                               const std::vector<model::View>& views = {});
 
 // Whether all of them would keep their paths; ends with the first that does not. false when
 // stopped.

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <tencer/model/state.hpp>
+#include <tencer/model/view.hpp>
 #include <tencer/springs/cable.hpp>
 #include <tencer/springs/parameter.hpp>
 #include <vector>
@@ -24,9 +25,11 @@ struct [[nodiscard]] PoseResponse {
 
 // One factorisation and a right-hand side a parameter. At a vertex, derivatives in arc length are
 // those for growing s. tensions: per cable, as the equilibrium has them. Throws
-// std::invalid_argument unless there is one per cable.
+// std::invalid_argument unless there is one per cable. views: in the frame of the pose, of whose
+// displacements only what they see is told; none: all of it.
 PoseResponse pose_response(const model::Structure& structure, const model::State& state,
-                           const Eigen::VectorXd& tensions);
+                           const Eigen::VectorXd& tensions,
+                           const std::vector<model::View>& views = {});
 
 // The largest errors, lengths: each is independent and uniform between plus and minus these.
 struct CableErrors {

@@ -14,7 +14,8 @@ namespace tencer::lower_bound {
 // and for rods with line loads. Poses are left out in which a vertex bends by more than twice as
 // much as any of the target's, and by more than 0.1 radians, or an edge is strained by more than
 // 0.2 %. Units are the structure's. After a stop it is what was proven until then. Throws
-// std::invalid_argument unless the target fits the structure and the error is positive.
+// std::invalid_argument unless the target fits the structure, has no views (what lies along them
+// may be anywhere) and the error is positive.
 model::AtLeast at_least(const model::Structure& structure, const model::Target& target,
                         double error_percent, const std::stop_token& stop = {});
 

@@ -19,6 +19,9 @@ struct View {
 // of several the weighted mean of the squares; of none all of d (M = 1). Positive semidefinite.
 Eigen::Matrix3d seen_metric(const std::vector<View>& views);
 
+// Takes a distance d to what is seen of it, as long: the symmetric root of that M.
+Eigen::Matrix3d seeing(const std::vector<View>& views);
+
 // The views of a target that is turned by `rotation`.
 std::vector<View> turned(std::vector<View> views, const Eigen::Matrix3d& rotation);
 

@@ -22,6 +22,9 @@ struct Deviation {
 };
 Deviation deviation(const model::Target& target, const model::State& state);
 
+// The target's views as they look at the state that the target is aligned with.
+std::vector<model::View> views_at(const model::Target& target, const model::State& state);
+
 // T's derivatives in the free unknowns of a system at a state: T is stationary in the alignment, so
 // the gradient is that with the alignment held, 2 w (x - y). The Hessian knows that the alignment
 // follows x: it is what it is without that less a matrix of rank 6 (in the plane 3).
