@@ -35,7 +35,7 @@ def run(tencer, work, *arguments):
 def written_designs(tencer, examples, work):
     """Designs of the program: a checked one, and one with loads, pins and anchors."""
     run(tencer, work, "target", "ellipse", "--vertices", 30, "-o", "ring.obj")
-    run(tencer, work, "design", "ring.obj", "-o", "ring", "--quiet")
+    run(tencer, work, "design", "ring.obj", "-o", "ring", "--quiet", "--view", "0,0,1")
     check = run(tencer, work, "check", "ring/design.json", "--json", "-o", "checked")
     (work / "check.json").write_text(check)
     run(tencer, work, "simulate", "checked/design.json", "-o", "settled")
