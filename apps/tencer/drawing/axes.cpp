@@ -1,6 +1,7 @@
 #include "drawing/axes.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 namespace tencer::app {
@@ -23,8 +24,8 @@ Matrix3d principal_axes(const Eigen::Matrix3Xd& points) {
   return rows;
 }
 
-Matrix3d axes_along(const Vector3d& direction) {
-  const Vector3d towards = direction.normalized();
+Matrix3d axes_along(const std::vector<model::View>& views) {
+  const Vector3d towards = std::ranges::max(views, {}, &model::View::weight).direction.normalized();
   const Vector3d up = std::abs(towards.z()) > 0.99 ? Vector3d::UnitY() : Vector3d::UnitZ();
   Matrix3d rows;
   rows.row(0) = up.cross(towards).normalized();
@@ -47,10 +48,12 @@ Matrix3d from_right(const Matrix3d& axes) {
   return right;
 }
 
-Matrix3d oblique_axes(const Eigen::Matrix3Xd& points) {
+Matrix3d oblique(const Matrix3d& axes) {
   const auto tilt =
       Eigen::AngleAxisd(-0.5, Vector3d::UnitX()) * Eigen::AngleAxisd(0.35, Vector3d::UnitY());
-  return tilt.toRotationMatrix() * principal_axes(points);
+  return tilt.toRotationMatrix() * axes;
 }
+
+Matrix3d oblique_axes(const Eigen::Matrix3Xd& points) { return oblique(principal_axes(points)); }
 
 }  // namespace tencer::app

@@ -23,11 +23,12 @@ constexpr double narrowest = 80;
 constexpr Font caption_font{3.2};
 constexpr double caption_line = 1.4 * caption_font.size;
 
-Eigen::Matrix3d axes_of(View view, const Eigen::Matrix3Xd& points) {
-  const Eigen::Matrix3d front = principal_axes(points);
+Eigen::Matrix3d axes_of(View view, const Solid& solid) {
+  const Eigen::Matrix3d front =
+      solid.views.empty() ? principal_axes(points_of(solid)) : axes_along(solid.views);
   if (view == View::top) return from_above(front);
   if (view == View::side) return from_right(front);
-  return view == View::front ? front : oblique_axes(points);
+  return view == View::front ? front : oblique(front);
 }
 
 bool is_flat(const Eigen::Matrix3Xd& points) {
@@ -58,8 +59,9 @@ std::vector<std::string> lines_of(const std::string& words, double room) {
 Layout::Layout(const Solid& solid, const PictureOptions& options) : numbers_(options.numbers) {
   const Eigen::Matrix3Xd points = points_of(solid);
   views_ = options.views;
-  if (views_.empty()) views_ = {is_flat(points) ? View::front : View::oblique};
-  for (const View view : views_) seen_.emplace_back(solid, axes_of(view, points));
+  const bool from_front = !solid.views.empty() || is_flat(points);
+  if (views_.empty()) views_ = {from_front ? View::front : View::oblique};
+  for (const View view : views_) seen_.emplace_back(solid, axes_of(view, solid));
   find_scale();
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     const std::size_t row = i / columns();

@@ -14,7 +14,9 @@ geometry::Polyline smooth(const geometry::Polyline& curve) {
 Solid solid_of(const model::Design& design) {
   const model::Structure& structure = design.structure;
   const double mm = 1000 * model::metres(design.length_unit);
-  Solid solid{.rods = static_cast<int>(structure.rods.size()), .anchors = structure.anchors * mm};
+  Solid solid{.rods = static_cast<int>(structure.rods.size()),
+              .anchors = structure.anchors * mm,
+              .views = design.views};
   for (std::size_t r = 0; r < structure.rods.size(); ++r) {
     solid.curves.push_back(smooth(model::pose_curve(design, r)));
     solid.curves.back().points *= mm;

@@ -14,6 +14,7 @@ struct Solid {
   int rods = 0;
   std::vector<std::vector<int>> ends_on{};  // of every cable: the rods that it ends on
   Eigen::Matrix3Xd anchors = Eigen::Matrix3Xd(3, 0);
+  std::vector<model::View> views{};  // from where it has to look right
 
   int cables() const { return static_cast<int>(curves.size()) - rods; }
   const geometry::Polyline& cable(int c) const { return curves[rods + c]; }

@@ -173,8 +173,7 @@ Json crossings_json(const model::Design& design, const Eigen::Matrix3d& axes) {
 
 // From the side that counts most, if any does more than others.
 Eigen::Matrix3d axes_of(const model::Design& design) {
-  if (!design.views.empty())
-    return axes_along(std::ranges::max(design.views, {}, &model::View::weight).direction);
+  if (!design.views.empty()) return axes_along(design.views);
   std::vector<double> all;
   for (const auto& pose : design.pose)
     all.insert(all.end(), pose.reshaped().begin(), pose.reshaped().end());

@@ -34,7 +34,8 @@ struct [[nodiscard]] Simulation {
   double seconds = 0.0;
   double residual = 0.0;
   // Largest distance of the input's vertices to where they were in its pose, in % of the target's
-  // bounding-box diagonal, rigidly aligned unless the structure is held in place.
+  // bounding-box diagonal, rigidly aligned unless the structure is held in place; as the design's
+  // views see it.
   double moved_percent = 0.0;
   // From the pose with inextensible cables: after which part of the way from the pose's lengths and
   // forces to the design's the structure jumps, see equilibrium::PathEquilibrium.
