@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "command_actuate.hpp"
 #include "command_export.hpp"
+#include "command_rests.hpp"
 #include "terminal/command_line.hpp"
 
 namespace tencer::app {
@@ -51,6 +52,7 @@ int run(int argc, char** argv) {
   add_feasible(app, chosen);
   add_simulate(app, chosen);
   add_actuate(app, chosen);
+  add_rests(app, chosen);
   add_check(app, chosen);
   add_view(app, chosen);
   add_picture(app, chosen);

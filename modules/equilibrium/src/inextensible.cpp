@@ -14,21 +14,6 @@
 namespace tencer::equilibrium {
 namespace {
 
-// The cables as springs of this stiffness that pull with `tensions` at their lengths; none when
-// that needs a rest length that is not positive.
-std::optional<std::vector<springs::Cable>> as_springs(const model::Structure& structure,
-                                                      const Eigen::VectorXd& tensions,
-                                                      double stiffness) {
-  std::vector<springs::Cable> springs = structure.cables;
-  for (std::size_t c = 0; c < springs.size(); ++c) {
-    springs[c].tension_only = true;
-    springs[c].stiffness = stiffness;
-    springs[c].rest_length -= tensions[static_cast<Eigen::Index>(c)] / stiffness;
-    if (!(springs[c].rest_length > 0)) return std::nullopt;
-  }
-  return springs;
-}
-
 // With the stiffness that tension gives a cable across itself.
 model::Structure as_pulling(const model::Structure& structure, const model::State& state,
                             const Eigen::VectorXd& tensions) {

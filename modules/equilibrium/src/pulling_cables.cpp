@@ -31,4 +31,17 @@ double axial_stiffness(const model::Structure& structure) {
   return stiffness;
 }
 
+std::optional<std::vector<springs::Cable>> as_springs(const model::Structure& structure,
+                                                      const Eigen::VectorXd& tensions,
+                                                      double stiffness) {
+  std::vector<springs::Cable> springs = structure.cables;
+  for (std::size_t c = 0; c < springs.size(); ++c) {
+    springs[c].tension_only = true;
+    springs[c].stiffness = stiffness;
+    springs[c].rest_length -= tensions[static_cast<Eigen::Index>(c)] / stiffness;
+    if (!(springs[c].rest_length > 0)) return std::nullopt;
+  }
+  return springs;
+}
+
 }  // namespace tencer::equilibrium

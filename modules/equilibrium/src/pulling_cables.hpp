@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <tencer/equilibrium/system.hpp>
+#include <vector>
 
 namespace tencer::equilibrium {
 
@@ -15,5 +17,11 @@ Eigen::VectorXd gradient_with(const System& system, const model::State& state,
 
 // As stiff as the stiffest rod is along its axis.
 double axial_stiffness(const model::Structure& structure);
+
+// The cables as springs of this stiffness that pull with `tensions` at their lengths; none when
+// that needs a rest length that is not positive.
+std::optional<std::vector<springs::Cable>> as_springs(const model::Structure& structure,
+                                                      const Eigen::VectorXd& tensions,
+                                                      double stiffness);
 
 }  // namespace tencer::equilibrium

@@ -17,7 +17,7 @@ using equilibrium::BranchEnd;
 using equilibrium::BranchPoint;
 using equilibrium::Passing;
 
-struct Rest {
+struct Reached {
   model::State state{};
   Eigen::VectorXd tensions{};
   double part = 0.0;  // of the leg
@@ -58,7 +58,7 @@ class Actuator {
       structure_.cables[c].rest_length = lengths[static_cast<Eigen::Index>(c)];
   }
 
-  void add_frame(double part, const Rest& rest) {
+  void add_frame(double part, const Reached& rest) {
     result_.frames.push_back({.leg = leg_,
                               .part = part,
                               .state = rest.state,
@@ -109,7 +109,7 @@ class Actuator {
     add_frame(part, now_);
   }
 
-  std::optional<Rest> rest_after(double further) {
+  std::optional<Reached> rest_after(double further) {
     const double part = std::min(1.0, now_.part + further);
     model::Structure pulled = structure_;
     const Eigen::VectorXd lengths = lengths_after(part);
@@ -118,22 +118,22 @@ class Actuator {
     auto found = equilibrium::relax_inextensible(pulled, now_.state, now_.tensions,
                                                  {.patience = 0, .stop = stop_});
     if (!found.equilibrium.usable()) return std::nullopt;
-    return Rest{std::move(found.equilibrium.state), std::move(found.tensions), part};
+    return Reached{std::move(found.equilibrium.state), std::move(found.tensions), part};
   }
 
   // To where the structure comes to rest from the last frame.
   bool jump(Cause cause) {
     constexpr double far = 1e-3;
     constexpr double near = 1e-5;
-    std::optional<Rest> further = rest_after(far);
-    std::optional<Rest> nearer = rest_after(near);
+    std::optional<Reached> further = rest_after(far);
+    std::optional<Reached> nearer = rest_after(near);
     if (!further && !nearer) return false;
-    const auto moved = [&](const Rest& rest) {
+    const auto moved = [&](const Reached& rest) {
       return distance(structure_, result_.frames.back().state, rest.state);
     };
     // Poses that begin here are as far away as the root of how far on, or nearer.
     const bool smooth = further && nearer && moved(*nearer) < moved(*further) / 3;
-    const Rest& rest = smooth || !nearer ? *further : *nearer;
+    const Reached& rest = smooth || !nearer ? *further : *nearer;
     const Frame before = result_.frames.back();
     Jump made{.before = static_cast<int>(result_.frames.size()) - 1,
               .after = static_cast<int>(result_.frames.size()),
@@ -155,7 +155,7 @@ class Actuator {
   equilibrium::System rods_;
   std::stop_token stop_;
   Eigen::VectorXd lengths_{}, from_{}, to_{};
-  Rest now_{};
+  Reached now_{};
   int leg_ = 0;
   Actuation result_{};
 };
