@@ -49,7 +49,7 @@ class Finder {
       : structure_(structure), options_(options) {}
 
   Rests run(const model::State& state, const Eigen::VectorXd& tensions) {
-    const model::Target target = model::make_target(structure_, positions_of(state));
+    const model::Target target = model::make_target(structure_, model::positions_of(state));
     size_ = model::diagonal(target);
     held_ = !target.align;
     if (!rest_at(state, tensions)) return std::move(result_);
@@ -175,7 +175,7 @@ class Finder {
   // On from pose number k to where the fingers have gone a part of their way.
   static std::optional<FlowPose> drawn_to(Flow& flow, const Push& push, std::size_t k,
                                           double part) {
-    Positions gone = positions_of(push.poses[k].state);
+    Positions gone = model::positions_of(push.poses[k].state);
     for (std::size_t r = 0; r < gone.size(); ++r) gone[r] -= push.poses[0].state[r].x;
     const Eigen::VectorXd ahead =
         part * push.whole - push.grip.cwiseProduct(unknowns_of(flow.system(), gone));
@@ -333,7 +333,7 @@ class Finder {
         pass.cable_in_rod = closest.cable_rod->cable;
       if (k == 0 || pass.strands_met) continue;
       const model::State& before = pass.way[k - 1].state;
-      pass.strands_met = certify::strands_meet(structure_, positions_of(before),
+      pass.strands_met = certify::strands_meet(structure_, model::positions_of(before),
                                                fitted(structure_, state, before));
     }
   }
