@@ -79,6 +79,7 @@ TEST_CASE("a closed rod: the design stands, and rests where its file says") {
   const auto method = GENERATE(model::Method::force_balance, model::Method::dense_springs);
   model::Scene scene = trefoil_scene();
   scene.design.method = method;
+  scene.design.effort = 2;  // a quick search from dense springs finds none that forgives errors
   std::set<std::string> reported;
   const model::Design design =
       designed(scene, {.progress = [&](const network::Progress& progress) {
