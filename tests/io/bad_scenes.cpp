@@ -253,7 +253,7 @@ TEST_CASE("bad scenes are refused with line, key and remedy") {
       {design + "weights = [{rod = 0, from = 1, weight = 0}]\n",
        "s.toml:4: the key design.weights[0].to is missing"},
       {design + "view = [0, 0, 0]\n",
-       "s.toml:4: design.view: view: expected a direction [x, y, z] that is not zero"},
+       "s.toml:4: design.view: expected a direction [x, y, z] that is not zero"},
       {design + "view = [0, 1]\n",
        "s.toml:4: design.view: expected a point [x, y, z], found an array of 2"},
       {design + "view = [[0, 0, 1], [0, 0, 0]]\n",

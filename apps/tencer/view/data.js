@@ -32,7 +32,7 @@ function prepared({ file, drawn }, index) {
     modes: drawn.modes,
     shoves: drawn.shoves,
     poses: drawn.poses,
-    stages: stagesOf(file),
+    stages: drawn.poses.length ? [] : stagesOf(file), // one thing to play
     check: file.check && file.check.lines ? file.check : undefined,
     anchors: file.anchors || [],
     pinned: file.pinned || [],

@@ -36,11 +36,11 @@ std::vector<View> turned(std::vector<View> views, const Eigen::Matrix3d& rotatio
 
 std::optional<std::string> view_problem(const std::vector<View>& views) {
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const std::string name = views.size() == 1 ? "view" : "views[" + std::to_string(i) + "]";
+    const std::string which = views.size() == 1 ? "" : "views[" + std::to_string(i) + "]: ";
     const auto& [direction, weight] = views[i];
     if (!direction.allFinite() || !(direction.norm() > 0) || !std::isfinite(direction.norm()))
-      return name + ": expected a direction [x, y, z] that is not zero";
-    if (!(weight > 0) || !std::isfinite(weight)) return name + ": expected a weight above 0";
+      return which + "expected a direction [x, y, z] that is not zero";
+    if (!(weight > 0) || !std::isfinite(weight)) return which + "expected a weight above 0";
   }
   return std::nullopt;
 }

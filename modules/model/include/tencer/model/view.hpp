@@ -25,7 +25,7 @@ Eigen::Matrix3d seeing(const std::vector<View>& views);
 // The views of a target that is turned by `rotation`.
 std::vector<View> turned(std::vector<View> views, const Eigen::Matrix3d& rotation);
 
-// What is wrong with views, such as "views[1]: ..."; not set: nothing.
+// What is wrong with views, of several "views[1]: ..."; not set: nothing.
 std::optional<std::string> view_problem(const std::vector<View>& views);
 
 // "seen along (0, 0, 1)", "seen along (0, 0, 1) and (1, 0, 0)"; empty without views.
