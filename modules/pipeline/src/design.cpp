@@ -159,8 +159,8 @@ model::StageRow check_settling(const Task& task, const Network& network, Design&
   return row;
 }
 
-// What is looked at of being built, as the scene's [build] asks for it.
-model::Check check_building(const Task& task, const Design& design, const RunOptions& options) {
+// As the scene's [build] asks for it.
+CheckOptions check_options(const Task& task, const Design& design, const RunOptions& options) {
   constexpr int draws = 2000;
   const model::Scene& scene = task.scene;
   const double mm = 1000 * model::metres(scene.length_unit);
@@ -168,15 +168,25 @@ model::Check check_building(const Task& task, const Design& design, const RunOpt
   const double percent = scene.design.cables
                              ? std::max(scene.design.max_error, design.error->max_percent)
                              : scene.design.max_error;
-  model::Check check = quick_check(
-      design, {.length_error_mm = scene.build.length_error_in(scene.length_unit) * mm,
-               .attachment_error_mm = scene.build.attachment_error_in(scene.length_unit) * mm,
-               .max_deviation = scene.build.max_deviation.value_or(model::Allowance{percent}),
-               .draws = draws,
-               .most_times = 1,
-               .stop = options.stop});
-  if (scene.build.layers) check.clear->cable_rod.reset();
+  return {.length_error_mm = scene.build.length_error_in(scene.length_unit) * mm,
+          .attachment_error_mm = scene.build.attachment_error_in(scene.length_unit) * mm,
+          .max_deviation = scene.build.max_deviation.value_or(model::Allowance{percent}),
+          .draws = draws,
+          .most_times = 1,
+          .stop = options.stop};
+}
+
+// What is looked at of being built.
+model::Check check_building(const Task& task, const Design& design, const RunOptions& options) {
+  model::Check check = quick_check(design, check_options(task, design, options));
+  if (task.scene.build.layers) check.clear->cable_rod.reset();
   return check;
+}
+
+// Tells also of a design that falls short to first order how it settles with errors.
+void let_settle(const Task& task, Design& design, const RunOptions& options) {
+  if (!design.check || !design.check->forgives || design.check->forgives->settled > 0) return;
+  design.check->forgives = forgiven_errors(design, check_options(task, design, options));
 }
 
 // What the number of its cables is to be compared with: within the error that was asked for, or, of
@@ -241,6 +251,7 @@ Design first_answer(const Task& task, const Outcome& outcome, const RunOptions& 
     if (!next.trace.empty()) checks.push_back(next.trace.back());
     if (score_of(best).stands()) break;
   }
+  if (!outcome.interrupted) let_settle(task, best, options);
   checks.push_back(best.trace.back());
   best.trace = outcome.trace;
   best.trace.insert(best.trace.end(), checks.begin(), checks.end());
@@ -328,6 +339,7 @@ core::Expected<std::vector<Design>> trade_off(const model::Scene& scene,
   std::vector<Design> designs;
   for (const Network& network : outcome.networks) {
     Design next = certified(*task, network, options);
+    if (!outcome.interrupted) let_settle(*task, next, options);
     next.trace.insert(next.trace.begin(), outcome.trace.begin(), outcome.trace.end());
     if (options.stop.stop_requested()) next.status = model::DesignStatus::interrupted;
     // Of an error that was asked for it is the same for all.

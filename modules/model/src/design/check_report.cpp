@@ -76,8 +76,9 @@ std::string errors_words(const Forgives& forgives, double times, const Words& wo
 std::string larger_words(const Forgives& forgives) {
   double times = forgives.percentile_95 / forgives.max_deviation;
   if (forgives.falls_at) times = std::max(times, 1 / *forgives.falls_at);
-  return times > 1 ? " (" + Words::number(times) + " times as large it would forgive them)"
-                   : std::string();
+  if (times <= 1) return {};
+  return " (" + Words::number(times) + " times as large it would forgive them" +
+         (forgives.settled == 0 ? ", to first order)" : ")");
 }
 
 void add_shortfalls(const Forgives& forgives, const Words& words, Reasons& reasons) {

@@ -46,10 +46,16 @@ double size_of(const model::Design& design) {
 model::Check quick_check(const model::Design& design, const CheckOptions& options) {
   options.validate();
   const RestPose pose = rest_pose(design);
-  return {.forgives = forgives(pose, options),
+  return {.forgives = forgives_enough(pose, options),
           .weight = own_weight(pose, options),
           .clear = clear(pose),
           .converged = converged(design, options)};
+}
+
+std::optional<model::Forgives> forgiven_errors(const model::Design& design,
+                                               const CheckOptions& options) {
+  options.validate();
+  return forgives(rest_pose(design), options);
 }
 
 namespace {

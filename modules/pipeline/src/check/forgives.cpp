@@ -60,6 +60,12 @@ std::optional<model::Forgives> forgives_linearly(const RestPose& pose,
   return result;
 }
 
+std::optional<model::Forgives> forgives_enough(const RestPose& pose, const CheckOptions& options) {
+  auto result = forgives_linearly(pose, options);
+  if (result && result->percentile_95 <= result->max_deviation) settle(pose, options, *result);
+  return result;
+}
+
 std::optional<model::Forgives> forgives(const RestPose& pose, const CheckOptions& options) {
   auto result = forgives_linearly(pose, options);
   if (result) settle(pose, options, *result);

@@ -43,8 +43,11 @@ model::Stands stands(const RestPose& pose, double moved);
 // Not set where the pose has no first order.
 std::optional<model::Forgives> forgives_linearly(const RestPose& pose, const CheckOptions& options);
 
-// The same, and how some of the draws settle.
+// The same, and how some of the draws settle, which takes most of a check's time.
 std::optional<model::Forgives> forgives(const RestPose& pose, const CheckOptions& options);
+
+// How they settle only where that decides: what falls short to first order does so.
+std::optional<model::Forgives> forgives_enough(const RestPose& pose, const CheckOptions& options);
 
 // Not set where the modes to push along are not known.
 std::optional<model::ComesBack> comes_back(const RestPose& pose, const CheckOptions& options);

@@ -37,8 +37,14 @@ struct [[nodiscard]] Checked {
 };
 
 // Of a design at rest in its pose, what a search has to answer for: forgives, clear and converged;
-// and what weight does to it.
+// and what weight does to it. Structures with errors are let settle only where that decides: what
+// falls short to first order does so.
 model::Check quick_check(const model::Design& design, const CheckOptions& options);
+
+// What errors do to that design, with some structures let settle in any case, which takes most of a
+// check's time. Not set where the pose has no first order.
+std::optional<model::Forgives> forgiven_errors(const model::Design& design,
+                                               const CheckOptions& options);
 
 // Errors: as simulate().
 core::Expected<Checked> check(const model::Design& design, const CheckOptions& options = {});
