@@ -202,13 +202,13 @@ core::Expected<Feasibility> feasible(const model::Scene& scene, const FeasibleOp
       look_at_neighbours_first(problem, {.near_percent = scene.design.max_error,
                                          .max_iterations = max_iterations(result.targets),
                                          .stop = options.stop});
+  result.warnings = target_warnings(coarse, problem.structure, problem.start, length);
   if (!found)
-    return core::Error{scene.source,
-                       "the rods' stiffness at the target is not finite; space its "
-                       "points more evenly"};
+    return core::Error{scene.source, "the rods' stiffness at the target is not finite: " +
+                                         (result.warnings.empty() ? "space its points more evenly"
+                                                                  : result.warnings.front())};
   fill(problem, *found, length, result);
   result.verdict = verdict_of(*found, problem, scene.design);
-  result.warnings = target_warnings(coarse, problem.structure, problem.start, length);
   if (options.at_least && result.verdict != Verdict::cannot && problem.target.views.empty())
     result.at_least = needed(scene, options.stop);
   if (asked_for(options.mends, result.verdict))
