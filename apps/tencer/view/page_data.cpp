@@ -135,9 +135,11 @@ Json poses_json(const PageDesign& shown) {
   return result;
 }
 
-// Of a design that stands.
+// Of a design that stands, unless its many cables would take minutes.
 Json shoves_json(const model::Design& design) {
+  constexpr std::size_t most_cables = 100;
   Json result = Json::array();
+  if (design.structure.cables.size() > most_cables) return result;
   if (!design.certificate || !design.certificate->stable || !is_known(design.length_unit))
     return result;
   for (const pipeline::Shove& shove : pipeline::shoves(design)) {

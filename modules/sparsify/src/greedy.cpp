@@ -68,6 +68,10 @@ network::StageResult prune(const network::Network& network, const model::Target&
   recorder.report(static_cast<int>(network.structure.cables.size()), 0);
   SpringSet set(network, rough(control));
   prune_compressed(set, options.hardest_part);
+  if (options.all_or_nothing && recorder.stopped())
+    return {.network = network,
+            .trace = {recorder.row(set.network(), target, "interrupted")},
+            .interrupted = true};
   return result_of(set, target, recorder, control.solve.tolerance);
 }
 

@@ -137,7 +137,8 @@ std::vector<Start> sprung_starts(const Problem& problem, const EliminationOption
   Network network = problem.bare();
   network.structure.cables =
       ground_structure::dense_springs(problem.structure, problem.target.points, problem.candidates);
-  StageResult pulling = sparsify::prune(network, problem.target, {.hardest_part = 0.5}, control);
+  StageResult pulling = sparsify::prune(network, problem.target,
+                                        {.hardest_part = 0.5, .all_or_nothing = true}, control);
   std::ranges::move(pulling.trace, std::back_inserter(result.trace));
   if (!pulling.valid()) return {};
   int vertices = 0;

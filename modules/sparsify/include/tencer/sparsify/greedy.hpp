@@ -13,6 +13,10 @@ struct PruneOptions {
   // solves. With half, the rods stay several times as near to where they were, in many.
   double hardest_part = 0.0;
 
+  // A request to stop leaves the network as it was given, not checked: it takes long until many
+  // springs balance and pull.
+  bool all_or_nothing = false;
+
   // Throws std::invalid_argument, naming the field, unless it is a part.
   void validate() const;
 };
