@@ -1,16 +1,14 @@
 // tencer actuate DESIGN SCHEDULE: what a design does when its cables are pulled and let go.
 #include "command_actuate.hpp"
 
-#include <algorithm>
 #include <memory>
-#include <tencer/io/design.hpp>
 #include <tencer/io/file.hpp>
 #include <tencer/io/schedule.hpp>
-#include <tencer/model/units.hpp>
 #include <tencer/rehearsal/actuate.hpp>
 
 #include "actuate/actuate.hpp"
 #include "actuate/words.hpp"
+#include "design_in_units.hpp"
 #include "interrupt.hpp"
 #include "terminal/activity.hpp"
 
@@ -44,13 +42,8 @@ struct ActuateRequest {
 };
 
 core::Expected<ExitCode> run_actuate(const ActuateRequest& request, const Console& console) {
-  const auto design = io::read_design(request.input);
+  const auto design = read_design_in_units(request.input);
   if (!design) return design.error();
-  if (std::ranges::count(model::length_units(), design->length_unit) == 0 ||
-      std::ranges::count(model::force_units(), design->force_unit) == 0)
-    return core::Error{request.input.string(),
-                       "its units, " + design->length_unit + " and " + design->force_unit +
-                           ", are not known; lengths can be in mm, cm or m, forces in mN, N or kN"};
   const auto schedule = io::read_schedule(request.schedule, *design);
   if (!schedule) return schedule.error();
   if (!request.output.empty())

@@ -1,14 +1,12 @@
 // tencer rests DESIGN: the other poses that a design rests in, and what keeps it from them.
 #include "command_rests.hpp"
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
-#include <tencer/io/design.hpp>
 #include <tencer/io/file.hpp>
-#include <tencer/model/units.hpp>
 #include <tencer/rehearsal/rests.hpp>
 
+#include "design_in_units.hpp"
 #include "interrupt.hpp"
 #include "rests/files.hpp"
 #include "rests/words.hpp"
@@ -38,13 +36,8 @@ struct RestsRequest {
 };
 
 core::Expected<ExitCode> run_rests(RestsRequest request, const Console& console) {
-  const auto design = io::read_design(request.input);
+  const auto design = read_design_in_units(request.input);
   if (!design) return design.error();
-  if (std::ranges::count(model::length_units(), design->length_unit) == 0 ||
-      std::ranges::count(model::force_units(), design->force_unit) == 0)
-    return core::Error{request.input.string(),
-                       "its units, " + design->length_unit + " and " + design->force_unit +
-                           ", are not known; lengths can be in mm, cm or m, forces in mN, N or kN"};
   if (!request.output.empty())
     if (const auto error = io::folder_problem(request.output)) return *error;
   const Interrupt interrupt;
