@@ -13,6 +13,7 @@
 #include "scene/scene_edit.hpp"
 #include "scene/scene_rods.hpp"
 #include "scene/scene_section.hpp"
+#include "scene/scene_views.hpp"
 #include "scene/toml_value.hpp"
 #include "text/bad_input.hpp"
 #include "text/read_text.hpp"
@@ -105,32 +106,6 @@ void read_weights(const TomlTable& design, Scene& scene) {
   const bool some = std::ranges::any_of(
       scene.target.weights, [](const Eigen::VectorXd& weights) { return weights.maxCoeff() > 0; });
   if (!some) design.fail("weights", "all vertices have weight 0; leave some to be matched");
-}
-
-// A direction, a list of them, or tables with a weight each.
-void read_views(const TomlTable& design, Scene& scene) {
-  if (!design.has("view")) return;
-  if (scene.structure.planar)
-    design.fail("view",
-                "a planar scene is seen along z as it is; leave out view, or planar where the rods "
-                "may leave the plane");
-  std::vector<model::View>& views = scene.target.views;
-  views.clear();
-  if (design.is_array_of_tables("view")) {
-    for (const TomlTable& table : design.tables("view")) {
-      table.only({"direction", "weight"});
-      views.push_back({.direction = table.need("direction", table.point("direction")),
-                       .weight = table.positive("weight").value_or(1.0)});
-      if (!(views.back().direction.norm() > 0))
-        table.fail("direction", "must not be zero: nothing is seen along it");
-    }
-  } else if (design.is_array_of_arrays("view")) {
-    const Eigen::Matrix3Xd directions = *design.points("view");
-    for (const auto& direction : directions.colwise()) views.push_back({.direction = direction});
-  } else {
-    views.push_back({.direction = *design.point("view")});
-  }
-  if (const auto problem = model::view_problem(views)) design.fail("view", *problem);
 }
 
 void read_forbidden(const TomlTable& design, Scene& scene) {
@@ -275,7 +250,7 @@ void read_design_settings(const TomlTable& design, Scene& scene) {
   read_hand_over(design, scene);
   read_rod_pairs(design, scene);
   read_weights(design, scene);
-  read_views(design, scene);
+  if (design.has("view")) scene.target.views = read_views(design, scene.structure.planar);
   read_forbidden(design, scene);
 }
 
