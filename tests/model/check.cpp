@@ -88,6 +88,12 @@ TEST_CASE("each section fails for its own reason") {
         "forgives: with cables cut to 1 mm and tied to 2 mm it is within 20 mm, not the 10 mm "
         "allowed (2 times as large it would forgive them)");
   CHECK(fails([](Check& check) {
+          check.forgives->percentile_95 = 2;
+          check.forgives->settled = 0;
+        }) ==
+        "forgives: with cables cut to 1 mm and tied to 2 mm it is within 20 mm, not the 10 mm "
+        "allowed (2 times as large it would forgive them, to first order)");
+  CHECK(fails([](Check& check) {
           check.forgives->fallen = 7;
           check.forgives->falls_at = 0.4;
         }) ==

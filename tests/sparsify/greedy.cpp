@@ -49,6 +49,23 @@ TEST_CASE("Pruned of what pushes hardest first, rods stay nearer to where they w
   CHECK_THROWS_AS(prune(dense, target, {.hardest_part = 1.1}), std::invalid_argument);
 }
 
+TEST_CASE("Pruning that is stopped balances what is left, or gives back what it was given") {
+  const Model model = trefoil();
+  const Network dense = dense_network(model);
+  const auto target = target_of(model, dense);
+  std::stop_source source;
+  source.request_stop();
+  const network::Control control{.stop = source.get_token()};
+  const auto balanced = prune(dense, target, {}, control);
+  CHECK(balanced.interrupted);
+  CHECK(balanced.valid());
+  const auto given = prune(dense, target, {.all_or_nothing = true}, control);
+  CHECK(given.interrupted);
+  CHECK_FALSE(given.valid());
+  CHECK(cable_count(given.network) == cable_count(dense));
+  CHECK(given.trace.back().note == "interrupted");
+}
+
 TEST_CASE("Greedy removal stays within its threshold and stops at it") {
   for (const Model& model : {trefoil(), linked_ellipses()}) {
     const Network dense = dense_network(model);
