@@ -204,9 +204,13 @@ core::Expected<Feasibility> feasible(const model::Scene& scene, const FeasibleOp
                                          .stop = options.stop});
   result.warnings = target_warnings(coarse, problem.structure, problem.start, length);
   if (!found)
-    return core::Error{scene.source, "the rods' stiffness at the target is not finite: " +
-                                         (result.warnings.empty() ? "space its points more evenly"
-                                                                  : result.warnings.front())};
+    return core::Error{
+        scene.source,
+        "the rods' stiffness at the target is not finite; " +
+            (result.warnings.empty()
+                 ? "space its points more evenly"
+                 : "space its points more evenly, or round its corners, such as this one: " +
+                       result.warnings.front())};
   fill(problem, *found, length, result);
   result.verdict = verdict_of(*found, problem, scene.design);
   if (options.at_least && result.verdict != Verdict::cannot && problem.target.views.empty())
